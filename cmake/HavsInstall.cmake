@@ -1,0 +1,1 @@
+# Filled in with the install and export rules.

@@ -1,0 +1,7 @@
+// Front-to-back compositing of premultiplied colours.
+
+FUNCTION Rgba compositeUnder(Rgba front, Rgba back) {
+  Real through = Real(1.0) - front.a;
+  return Rgba(front.r + through * back.r, front.g + through * back.g, front.b + through * back.b,
+              front.a + through * back.a);
+}

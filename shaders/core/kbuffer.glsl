@@ -1,0 +1,84 @@
+// The k-buffer (Callahan, Ikits, Comba, Silva 2005): a pixel keeps the HAVS_K nearest fragments that have come and not yet left.
+// A new fragment goes in, the nearest of the HAVS_K + 1 goes out; with the next nearest it bounds a segment of the ray.
+// Entries stay sorted by distance, near first, so that one chain of HAVS_K compare-exchanges finds both. Beyond the paper: empty entries are nearer
+// than everything and leave first; each fragment carries its kind, and a running count of entries minus exits says whether a
+// segment lies inside the mesh.
+
+struct Fragment {
+  Real scalar;    // in [0, 1]
+  Real distance;  // along the ray, local units, relative to the plane through the mesh's centre
+  Real kind;      // +1: the ray enters the mesh; -1: it leaves; 0: a face between two cells
+};
+
+struct KBuffer {
+  Fragment entry[HAVS_K];
+};
+
+// What happened to a pixel besides the buffer. `inside`: entries minus exits of all fragments that left. `started`: 1 once a real fragment left.
+struct PixelState {
+  Real inside;
+  Real started;
+};
+
+// A stretch of the ray between two successive fragments; drawn where `visible` holds.
+struct Segment {
+  Real scalarFront;
+  Real scalarBack;
+  Real length;
+  Mask visible;
+};
+
+CONSTANT Real kEmptyDistance = Real(-3.0e38);
+CONSTANT Real kEmptyLimit = Real(-1.0e38);  // everything below is empty
+CONSTANT Real kLateTolerance = Real(1.0e-6);
+
+FUNCTION Fragment emptyFragment() {
+  Fragment f;
+  f.scalar = Real(0.0);
+  f.distance = kEmptyDistance;
+  f.kind = Real(0.0);
+  return f;
+}
+
+FUNCTION Mask isEmpty(Fragment f) { return f.distance < kEmptyLimit; }
+
+FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
+  Fragment f;
+  f.scalar = select(condition, yes.scalar, no.scalar);
+  f.distance = select(condition, yes.distance, no.distance);
+  f.kind = select(condition, yes.kind, no.kind);
+  return f;
+}
+
+// `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left, so that the segment it belongs to
+// has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not full.
+FUNCTION Mask isLate(KBuffer buffer, PixelState state, Fragment f) {
+  return (state.started > Real(0.5)) && (f.distance < buffer.entry[0].distance - kLateTolerance);
+}
+
+// Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first.
+FUNCTION void insertFragment(INOUT(KBuffer) buffer, Fragment f, OUT(Fragment) front) {
+  Mask nearer = f.distance < buffer.entry[0].distance;
+  front = selectFragment(nearer, f, buffer.entry[0]);
+  Fragment carried = selectFragment(nearer, buffer.entry[0], f);
+  for (int i = 1; i < HAVS_K; ++i) {
+    Mask swapped = carried.distance < buffer.entry[i].distance;
+    buffer.entry[i - 1] = selectFragment(swapped, carried, buffer.entry[i]);
+    carried = selectFragment(swapped, buffer.entry[i], carried);
+  }
+  buffer.entry[HAVS_K - 1] = carried;
+}
+
+// `front` has left and `back` is the next nearest: brings the state up to date and gives the segment between them.
+FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
+  Mask real = !isEmpty(front);
+  state.inside = state.inside + front.kind;
+  state.started = select(real, Real(1.0), state.started);
+  Segment segment;
+  segment.scalarFront = front.scalar;
+  segment.scalarBack = back.scalar;
+  Real length = back.distance - front.distance;
+  segment.length = select(length > Real(0.0), length, Real(0.0));
+  segment.visible = real && (state.inside > Real(0.5));
+  return segment;
+}

@@ -1,0 +1,60 @@
+#pragma once
+// The arithmetic of a fragment as C++: the very files that the shaders include (shaders/core), compiled over a number type.
+// Arithmetic<DoubleLane> has it in double, Arithmetic<FloatLane> with the rounding of a GPU; a SIMD batch may stand in as lane.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace havs {
+
+struct FloatLane {
+  using Real = float;
+  using Mask = bool;
+  using Scalar = float;
+  static constexpr bool kDouble = false;
+  static Real select(Mask condition, Real yes, Real no) { return condition ? yes : no; }
+  static Real exp2Integral(Real n) { return std::bit_cast<float>((static_cast<std::int32_t>(n) + 127) << 23); }
+  static Real roundToIntegral(Real x) { return std::nearbyint(x); }
+};
+
+struct DoubleLane {
+  using Real = double;
+  using Mask = bool;
+  using Scalar = double;
+  static constexpr bool kDouble = true;
+  static Real select(Mask condition, Real yes, Real no) { return condition ? yes : no; }
+  static Real exp2Integral(Real n) { return std::bit_cast<double>((static_cast<std::int64_t>(n) + 1023) << 52); }
+  static Real roundToIntegral(Real x) { return std::nearbyint(x); }
+};
+
+#define FUNCTION static inline
+#define INOUT(T) T&
+#define OUT(T) T&
+#define CONSTANT static constexpr
+
+template <class Lane, int K = 1>
+struct Arithmetic {
+  using Real = typename Lane::Real;
+  using Mask = typename Lane::Mask;
+  using Scalar = typename Lane::Scalar;
+  static constexpr bool kDouble = Lane::kDouble;
+  static constexpr int HAVS_K = K;
+  struct Rgba {
+    Real r, g, b, a;
+    Rgba() = default;
+    Rgba(Real r_, Real g_, Real b_, Real a_) : r(r_), g(g_), b(b_), a(a_) {}
+  };
+  static Real select(Mask condition, Real yes, Real no) { return Lane::select(condition, yes, no); }
+  static Real exp2Integral(Real n) { return Lane::exp2Integral(n); }
+  static Real roundToIntegral(Real x) { return Lane::roundToIntegral(x); }
+
+#include "core/kbuffer.glsl"
+#include "core/compositing.glsl"
+};
+
+#undef FUNCTION
+#undef INOUT
+#undef OUT
+#undef CONSTANT
+
+}  // namespace havs

@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace havs {
+
+/// A float picture: premultiplied RGBA, row 0 on top, display-referred colours as composited, no background.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgba;  ///< 4 * width * height
+  float* pixel(int x, int y) { return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
+  const float* pixel(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
+};
+
+using Color = std::array<double, 3>;
+
+struct ImageFileOptions {
+  std::optional<Color> background = Color{1, 1, 1};  ///< none: transparent
+  int pngBits = 8;                                   ///< 8 or 16
+};
+
+/// Throws Error{input} when writeImage would refuse the name (unknown extension, directory, unwritable): call before long work.
+void checkImagePath(const std::filesystem::path& file);
+
+/// By extension, whole or not at all: .png (over the background; straight alpha when there is none), .exr (premultiplied RGBA float, no background),
+/// .pfm (RGB float over the background, or over black when there is none). Throws Error.
+void writeImage(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options = {});
+
+/// Reads what writeImage writes (premultiplied again). Throws Error{input}.
+Image readImage(const std::filesystem::path& file);
+
+/// "white", "black", "none", "#rrggbb" or "r,g,b" in 0 to 1. Throws Error{input}.
+std::optional<Color> parseBackground(const std::string& text);
+
+}  // namespace havs

@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "mesh/tet_mesh.h"
+
+namespace havs {
+
+/// The unique faces of a mesh. The normal (v1 - v0) x (v2 - v0) of `vertices` points out of cells[0], into cells[1];
+/// a boundary face has cells[1] == kNoIndex, so its normal points out of the mesh.
+struct Faces {
+  std::vector<std::array<Index, 3>> vertices;
+  std::vector<std::array<Index, 2>> cells;
+  std::vector<std::array<Index, 4>> ofCell;  ///< ofCell[c][i]: the face of cell c opposite to its vertex i
+  std::size_t boundaryCount = 0;
+  std::size_t size() const { return vertices.size(); }
+  bool isBoundary(std::size_t face) const { return cells[face][1] == kNoIndex; }
+};
+
+/// Linear time, parallel. Cells must be right-handed (repairMesh). Of a face with more than two cells, pairs are made in the order
+/// of the cell numbers, the odd one becoming a boundary face: parity along every ray stays right.
+/// The result does not depend on the number of threads.
+Faces buildFaces(const TetMesh& mesh);
+
+}  // namespace havs

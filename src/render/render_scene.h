@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "core/progress.h"
+#include "core/stage_times.h"
+#include "image/image.h"
+#include "mesh/defects.h"
+#include "scene/scene.h"
+#include "transfer/extinction_curve.h"
+
+namespace havs {
+
+/// A picture and all that a report says of how it was made.
+struct RenderReport {
+  Image image;
+  std::size_t points = 0, cells = 0, faces = 0, boundaryFaces = 0;  ///< of the mesh drawn
+  std::vector<Defect> defects;     ///< of the mesh as read
+  std::vector<std::string> notes;  ///< what reading and repair did, one sentence each
+  std::string field;
+  std::string centering;  ///< "point" or "cell"
+  std::array<double, 2> fieldRange{0, 0};
+  std::string transferFunction;
+  OpacityMeaning meaning = OpacityMeaning::perUnit;
+  double unitLength = 0;
+  std::array<double, 2> domain{0, 1};
+  std::string camera;  ///< JSON object, all parts set
+  std::string renderer, glVersion;
+  std::string ordering;           ///< how pixels are kept in order ("GL_EXT_shader_framebuffer_fetch")
+  std::size_t bytesPerPixel = 0;  ///< of the render targets
+  std::size_t targetBytes = 0;    ///< all targets together
+  std::size_t tiles = 1;
+  std::size_t cycles = 0;   ///< cut by the topological order
+  StageTimes stages;        ///< read, faces, order, upload, table, draw, flush, readback, total
+  double cpuMilliseconds = 0;     ///< of the whole call, all threads
+};
+
+/// Reads, prepares and draws a scene, Scene::repeat times (medians of each stage; the picture is the last).
+/// Throws Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
+RenderReport renderScene(const Scene& scene, const Progress& progress = {});
+
+}  // namespace havs

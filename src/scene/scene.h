@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/image.h"
+#include "scene/camera.h"
+
+namespace havs {
+
+/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods() and lookups() (render/methods.h), sortMethods()
+/// (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
+struct Scene {
+  std::filesystem::path mesh;
+  std::filesystem::path plot3dSolution;
+  std::string tetgenSwitches = "pq";
+  std::string field;                        ///< empty: the default field
+  std::string transferFunction = "rainbow"; ///< preset or file
+  std::optional<double> unitLength;         ///< overrides the transfer function's
+  std::optional<std::array<double, 2>> domain;
+  int width = 1024;
+  int height = 1024;
+  Camera camera;
+  std::string device = "osmesa";
+  std::string visibility = "kbuffer";
+  std::string sort = "topological";
+  int k = 6;
+  std::string lookup = "3d";
+  int tableSize = 128;
+  std::string tableFormat = "rgba32f";  ///< or rgba8
+  double earlyTermination = 0;          ///< opacity at which a pixel is done; 0: never
+  bool compositeLate = false;           ///< late fragments are composited (the paper) instead of dropped
+  std::optional<Color> background = Color{1, 1, 1};
+  std::size_t threads = 0;  ///< 0: all cores
+  int repeat = 1;
+};
+
+/// The paper's own choices (`--paper`): centroid, k 6, RGBA8 128^3 table, termination at 0.99, late fragments composited.
+void applyPaperPreset(Scene& scene);
+
+}  // namespace havs

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/vec.h"
+#include "mesh/faces.h"
+
+namespace havs {
+
+/// Where the picture is taken from, in the local frame.
+struct ViewPoint {
+  bool orthographic = false;
+  Vec3 eye{0};        ///< perspective: where the rays start
+  Vec3 direction{0};  ///< unit vector along the view, away from the eye (orthographic: of every ray)
+};
+
+/// Faces, near first.
+struct FaceOrder {
+  std::vector<Index> faces;
+  std::size_t cycles = 0;  ///< visibility cycles that were cut (topological only)
+};
+
+/// One way to order the faces of one mesh; keeps what it can between views.
+class FaceSorter {
+ public:
+  virtual ~FaceSorter() = default;
+  /// Writes all faces, near first, into `order` (its memory is used again). Deterministic for any number of threads.
+  virtual void sort(const ViewPoint& view, FaceOrder& order) = 0;
+};
+
+/// What a sorter works on; all must outlive it. Points in the local frame.
+struct SortInput {
+  std::span<const Vec3> points;
+  std::span<const Tetrahedron> tetrahedra;
+  const Faces* faces = nullptr;
+};
+
+/// One row of the table of orders (`--sort`).
+struct SortMethod {
+  std::string name;
+  std::string description;
+  std::unique_ptr<FaceSorter> (*make)(const SortInput&);
+};
+/// centroid, topological, exact (the comparison sort, the tests' oracle), none (the file's order).
+std::span<const SortMethod> sortMethods();
+/// Throws Error{input} for an unknown name, naming the nearest.
+const SortMethod& sortMethod(const std::string& name);
+
+}  // namespace havs
