@@ -50,6 +50,7 @@ struct Arithmetic {
 
 #include "core/kbuffer.glsl"
 #include "core/compositing.glsl"
+#include "core/opaque.glsl"
 };
 
 #undef FUNCTION
