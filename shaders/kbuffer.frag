@@ -19,13 +19,12 @@ uniform float terminalOpacity;
 // Per face, in drawing order: the scalars of the cells behind it as seen from its front and from its back.
 layout(std430, binding = 0) readonly buffer FaceScalars { vec2 faceScalars[]; };
 layout(std430, binding = 1) readonly buffer FaceOrder { uint faceOrder[]; };
-uniform int firstFace;
 #endif
 
 Fragment incomingFragment() {
   Fragment f;
 #ifdef HAVS_CELL_DATA
-  vec2 behind = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
+  vec2 behind = faceScalars[faceOrder[gl_PrimitiveID]];
   f.scalar = gl_FrontFacing ? behind.x : behind.y;
 #else
   f.scalar = clamp(scalar, 0.0, 1.0);
