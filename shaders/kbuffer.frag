@@ -2,6 +2,7 @@
 // pixel's k-buffer, the nearest of k + 1 goes out, and the segment between it and the next nearest is looked up and composited.
 // Reads and writes of a pixel are ordered by framebuffer fetch.
 #include "core/language.glsl"
+#include "payload.glsl"
 #include "core/kbuffer.glsl"
 #include "core/compositing.glsl"
 #include "kbuffer_targets.glsl"
@@ -22,17 +23,15 @@ layout(std430, binding = 1) readonly buffer FaceOrder { uint faceOrder[]; };
 #endif
 
 Fragment incomingFragment() {
-  Fragment f;
 #ifdef HAVS_CELL_DATA
-  vec2 behind = faceScalars[faceOrder[gl_PrimitiveID]];
-  f.scalar = gl_FrontFacing ? behind.x : behind.y;
+  vec2 sides = faceScalars[faceOrder[gl_PrimitiveID]];
+  float behind = gl_FrontFacing ? sides.x : sides.y;
 #else
-  f.scalar = clamp(scalar, 0.0, 1.0);
+  float behind = clamp(scalar, 0.0, 1.0);
 #endif
   vec2 slope = gl_FragCoord.xy * pixelToRay.xy + pixelToRay.zw;
-  f.distance = depth * sqrt(1.0 + dot(slope, slope));
-  f.kind = onBoundary < 0.5 ? 0.0 : gl_FrontFacing ? 1.0 : -1.0;
-  return f;
+  float distance = depth * sqrt(1.0 + dot(slope, slope));
+  return makeFragment(behind, distance, onBoundary < 0.5 ? 0.0 : gl_FrontFacing ? 1.0 : -1.0);
 }
 
 void main() {
@@ -42,19 +41,19 @@ void main() {
 #ifdef HAVS_EARLY_TERMINATION
   if (color.a >= terminalOpacity) discard;
 #endif
-  KBuffer buffer = loadEntries();
+  KBuffer kbuffer = loadEntries();
   Fragment incoming = incomingFragment();
 
 #ifndef HAVS_COMPOSITE_LATE
-  if (isLate(buffer, state, incoming)) {
-    state.inside += incoming.kind;
+  if (isLate(kbuffer, state, incoming)) {
+    state.inside += kindOf(incoming.payload);
     storePixel(color, state);
     return;
   }
 #endif
   Fragment front;
-  insertFragment(buffer, incoming, front);
-  Segment segment = leave(state, front, buffer.entry[0]);
+  insertFragment(kbuffer, incoming, front);
+  Segment segment = leave(state, front, kbuffer.entry[0]);
   storePixel(compositeUnder(color, segmentColor(segment)), state);
-  storeEntries(buffer);
+  storeEntries(kbuffer);
 }

@@ -1,5 +1,6 @@
 // After the last face: the entries left in the pixel's k-buffer leave in order; the colour is written plain, without flags.
 #include "core/language.glsl"
+#include "payload.glsl"
 #include "core/kbuffer.glsl"
 #include "core/compositing.glsl"
 #include "kbuffer_targets.glsl"
@@ -13,9 +14,9 @@ void main() {
   Rgba color;
   PixelState state;
   loadPixel(color, state);
-  KBuffer buffer = loadEntries();
+  KBuffer kbuffer = loadEntries();
   for (int i = 0; i + 1 < HAVS_K; ++i) {
-    Segment segment = leave(state, buffer.entry[i], buffer.entry[i + 1]);
+    Segment segment = leave(state, kbuffer.entry[i], kbuffer.entry[i + 1]);
 #ifdef HAVS_EARLY_TERMINATION
     segment.visible = segment.visible && color.a < terminalOpacity;
 #endif

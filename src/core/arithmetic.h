@@ -45,6 +45,15 @@ struct Arithmetic {
     Rgba(Real r_, Real g_, Real b_, Real a_) : r(r_), g(g_), b(b_), a(a_) {}
   };
   static Real select(Mask condition, Real yes, Real no) { return Lane::select(condition, yes, no); }
+  struct Payload {
+    Real scalar, kind;
+  };
+  static Payload makePayload(Real scalar, Real kind) { return {scalar, kind}; }
+  static Real scalarOf(Payload payload) { return payload.scalar; }
+  static Real kindOf(Payload payload) { return payload.kind; }
+  static Payload selectPayload(Mask condition, Payload yes, Payload no) {
+    return {select(condition, yes.scalar, no.scalar), select(condition, yes.kind, no.kind)};
+  }
   static Real exp2Integral(Real n) { return Lane::exp2Integral(n); }
   static Real roundToIntegral(Real x) { return Lane::roundToIntegral(x); }
 

@@ -27,7 +27,8 @@ void requireWithin(std::size_t bytes, std::size_t offset, std::size_t size) {
 
 Buffer::Buffer(const std::string& label, std::size_t bytes) : handle_(createBuffer()), bytes_(bytes) {
   setLabel(GL_BUFFER, id(), label);
-  glNamedBufferStorage(id(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  glNamedBufferStorage(id(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 1)), nullptr,
+                       GL_DYNAMIC_STORAGE_BIT | GL_MAP_WRITE_BIT);
   checkGl(fmt::format("allocating buffer '{}' of {} bytes", label, bytes));
 }
 
@@ -42,6 +43,15 @@ void Buffer::readBytes(std::span<std::byte> data, std::size_t offset) const {
   if (data.empty()) return;
   glGetNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()), data.data());
 }
+
+void* Buffer::mapForWriting() {
+  void* memory = glMapNamedBufferRange(id(), 0, static_cast<GLsizeiptr>(std::max<std::size_t>(bytes_, 1)),
+                                       GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  if (!memory) failRunning(fmt::format("an OpenGL buffer of {} bytes cannot be written to", bytes_));
+  return memory;
+}
+
+void Buffer::unmap() { glUnmapNamedBuffer(id()); }
 
 void Buffer::clear() { glClearNamedBufferData(id(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr); }
 

@@ -44,6 +44,13 @@ class Buffer {
     readBytes(std::as_writable_bytes(std::span<T>(data)), offset);
     return data;
   }
+  /// Hands all of it to `write` as values of type T, to be written in place of the old contents, without a copy in between.
+  template <class T, class Write>
+  void fill(const Write& write) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    write(std::span<T>(static_cast<T*>(mapForWriting()), bytes_ / sizeof(T)));
+    unmap();
+  }
   /// Sets every byte to zero.
   void clear();
   /// Binds to an indexed target: GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER.
@@ -55,6 +62,8 @@ class Buffer {
  private:
   void uploadBytes(std::span<const std::byte> data, std::size_t offset);
   void readBytes(std::span<std::byte> data, std::size_t offset) const;
+  void* mapForWriting();
+  void unmap();
   static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
 
   Handle<destroy> handle_;

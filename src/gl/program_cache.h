@@ -17,7 +17,8 @@ class ProgramCache {
   std::size_t size() const { return programs_.size(); }
 
  private:
-  using Key = std::tuple<std::string, std::string, std::map<std::string, std::string>, std::vector<std::string>>;
+  using Key = std::tuple<std::string, std::string, std::map<std::string, std::string>, std::vector<std::string>,
+                         std::map<std::string, std::string>>;
   std::map<Key, Program> programs_;
 };
 

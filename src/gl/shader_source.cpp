@@ -36,7 +36,7 @@ std::string textOf(const std::string& name, const std::string& where) {
 
 class Expansion {
  public:
-  explicit Expansion(const ShaderOptions& options) {
+  explicit Expansion(const ShaderOptions& options) : standsFor_(options.standsFor) {
     std::string header = "#version 450 core\n";
     for (const std::string& extension : options.extensions) header += "#extension " + extension + " : require\n";
     for (const auto& [name, value] : options.defines) header += "#define " + name + " " + value + "\n";
@@ -58,7 +58,8 @@ class Expansion {
         source_.text += line + "\n";
         continue;
       }
-      const std::string included = match[1];
+      const auto stand = standsFor_.find(match[1]);
+      const std::string included = stand == standsFor_.end() ? match[1].str() : stand->second;
       if (!has(included)) add(included, textOf(included, fmt::format("{}:{}", name, i)));
       mark(i + 1);
     }
@@ -71,6 +72,7 @@ class Expansion {
     return std::any_of(source_.files.begin(), source_.files.end(), [&](const auto& file) { return file.name == name; });
   }
 
+  const std::map<std::string, std::string>& standsFor_;
   ShaderSource source_;
 };
 

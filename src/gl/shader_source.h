@@ -18,6 +18,8 @@ std::span<const EmbeddedShader> embeddedShaders();
 struct ShaderOptions {
   std::map<std::string, std::string> defines;  ///< name -> value, which may be empty
   std::vector<std::string> extensions;         ///< required ones: GL_EXT_shader_framebuffer_fetch
+  /// Name in an `#include` -> the file that it stands for: how one of several files of a kind is chosen.
+  std::map<std::string, std::string> standsFor;
 };
 
 /// A source ready to be compiled. `#line N F` in the text means line N of files[F].

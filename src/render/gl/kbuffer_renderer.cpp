@@ -17,6 +17,8 @@ namespace havs {
 namespace {
 
 constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
+/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
+constexpr float kMostOpacity = 0.99999994f;
 /// The eye lies outside the mesh, depth is not tested: only what is as good as behind the eye is clipped. Local units.
 constexpr double kNearPlane = 1e-6;
 
@@ -139,7 +141,7 @@ class KBufferRenderer final : public Renderer {
     program.set("forward", glm::vec3(view.forward));
     program.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
     program.set("pixelToRay", pixelToRay(view, tile));
-    program.set("terminalOpacity", static_cast<float>(plan_.earlyTermination));
+    program.set("terminalOpacity", std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity));
     textures_->bind(program);
   }
 
