@@ -12,9 +12,11 @@ struct SegmentWeights {
 
 // Three Gauss-Legendre rules on [0, 1], one behind the other. The two longer ones go through s = (exp(u) - 1) / (exp(1) - 1), which sets the
 // nodes closer at the front, where the light comes from: 22 nodes do what takes 29.
-CONSTANT int kShallowNodes = 7;  // 1e-15 up to a depth of 0.1
-CONSTANT int kMiddleNodes = 12;  // 1e-14 up to a depth of 1, 1e-7 at any depth
+CONSTANT int kShallowNodes = 7;  // 1e-15 up to kShallowDepth
+CONSTANT int kMiddleNodes = 12;  // 1e-14 up to kMiddleDepth, 1e-7 at any depth
 CONSTANT int kDeepNodes = 22;    // 1e-14 at any depth
+CONSTANT Scalar kShallowDepth = Scalar(0.1);
+CONSTANT Scalar kMiddleDepth = Scalar(1.0);
 CONSTANT int kFirstMiddleNode = 7;
 CONSTANT int kFirstDeepNode = 19;
 CONSTANT Scalar kNode[41] = {
