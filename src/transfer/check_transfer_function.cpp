@@ -24,7 +24,8 @@ void checkTransferFunction(const TransferFunction& function, const std::string& 
     const std::string place = fmt::format("{}, point {}", where, i + 1);
     if (!std::isfinite(p.scalar)) failInput(fmt::format("scalar {} is not finite", p.scalar), place);
     if (function.normalised && !(p.scalar >= 0 && p.scalar <= 1)) {
-      failInput(fmt::format("scalar {} is outside [0, 1]", p.scalar), place, R"(values in the data's unit need "scale": "data")");
+      failInput(fmt::format("scalar {} is outside [0, 1]", p.scalar), place,
+                R"(values in the data's unit need "scale": "data")");
     }
     for (double c : p.color) {
       if (!(c >= 0 && c <= 1)) failInput(fmt::format("colour {} is outside [0, 1]", c), place);
@@ -34,10 +35,12 @@ void checkTransferFunction(const TransferFunction& function, const std::string& 
                 highest == 1 ? R"("opacity": "extinction" allows more than 1)" : "");
     }
     if (i > 0 && p.scalar < function.points[i - 1].scalar) {
-      failInput(fmt::format("scalar {} comes after {}", p.scalar, function.points[i - 1].scalar), place, "sort the points by scalar");
+      failInput(fmt::format("scalar {} comes after {}", p.scalar, function.points[i - 1].scalar), place,
+                "sort the points by scalar");
     }
     if (i > 1 && p.scalar == function.points[i - 2].scalar) {
-      failInput(fmt::format("scalar {} is given a third time", p.scalar), place, "two points at one scalar make a step");
+      failInput(fmt::format("scalar {} is given a third time", p.scalar), place,
+                "two points at one scalar make a step");
     }
   }
 }

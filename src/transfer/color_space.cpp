@@ -47,9 +47,12 @@ RgbColor hsvFromRgb(const RgbColor& rgb) {
   const double spread = high - low;
   if (spread == 0) return {0, 0, high};
   double sixth = 0;
-  if (high == rgb[0]) sixth = (rgb[1] - rgb[2]) / spread;
-  else if (high == rgb[1]) sixth = 2 + (rgb[2] - rgb[0]) / spread;
-  else sixth = 4 + (rgb[0] - rgb[1]) / spread;
+  if (high == rgb[0])
+    sixth = (rgb[1] - rgb[2]) / spread;
+  else if (high == rgb[1])
+    sixth = 2 + (rgb[2] - rgb[0]) / spread;
+  else
+    sixth = 4 + (rgb[0] - rgb[1]) / spread;
   return {sixth < 0 ? sixth / 6 + 1 : sixth / 6, spread / high, high};
 }
 
@@ -133,8 +136,8 @@ void refine(ColorSpace space, const ControlPoint& a, const ControlPoint& b, doub
 
 std::optional<ColorSpace> colorSpaceNamed(const std::string& name) {
   static const std::map<std::string, ColorSpace> kNames{
-      {"rgb", ColorSpace::rgb},       {"hsv", ColorSpace::hsv},    {"hsvnowrap", ColorSpace::hsvNoWrap},
-      {"lab", ColorSpace::lab},       {"cielab", ColorSpace::lab}, {"diverging", ColorSpace::diverging},
+      {"rgb", ColorSpace::rgb},  {"hsv", ColorSpace::hsv},    {"hsvnowrap", ColorSpace::hsvNoWrap},
+      {"lab", ColorSpace::lab},  {"cielab", ColorSpace::lab}, {"diverging", ColorSpace::diverging},
       {"step", ColorSpace::step}};
   std::string lower;
   for (char c : name) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -145,12 +148,24 @@ std::optional<ColorSpace> colorSpaceNamed(const std::string& name) {
 RgbColor interpolateColor(ColorSpace space, const RgbColor& a, const RgbColor& b, double t) {
   RgbColor color = a;
   switch (space) {
-    case ColorSpace::rgb: color = mix(a, b, t); break;
-    case ColorSpace::hsv: color = mixHsv(a, b, t, true); break;
-    case ColorSpace::hsvNoWrap: color = mixHsv(a, b, t, false); break;
-    case ColorSpace::lab: color = rgbFromLab(mix(labFromRgb(a), labFromRgb(b), t)); break;
-    case ColorSpace::diverging: color = mixDiverging(a, b, t); break;
-    case ColorSpace::step: color = b; break;
+    case ColorSpace::rgb:
+      color = mix(a, b, t);
+      break;
+    case ColorSpace::hsv:
+      color = mixHsv(a, b, t, true);
+      break;
+    case ColorSpace::hsvNoWrap:
+      color = mixHsv(a, b, t, false);
+      break;
+    case ColorSpace::lab:
+      color = rgbFromLab(mix(labFromRgb(a), labFromRgb(b), t));
+      break;
+    case ColorSpace::diverging:
+      color = mixDiverging(a, b, t);
+      break;
+    case ColorSpace::step:
+      color = b;
+      break;
   }
   for (double& c : color) c = std::clamp(c, 0.0, 1.0);
   return color;
@@ -160,8 +175,10 @@ std::vector<ControlPoint> resampleToRgb(ColorSpace space, const std::vector<Cont
   std::vector<ControlPoint> out;
   for (std::size_t i = 0; i < colors.size(); ++i) {
     if (i > 0 && colors[i].scalar > colors[i - 1].scalar) {
-      if (space == ColorSpace::step) out.push_back({colors[i - 1].scalar, colors[i].color, 0});
-      else if (space != ColorSpace::rgb) refine(space, colors[i - 1], colors[i], 0, 1, 0, out);
+      if (space == ColorSpace::step)
+        out.push_back({colors[i - 1].scalar, colors[i].color, 0});
+      else if (space != ColorSpace::rgb)
+        refine(space, colors[i - 1], colors[i], 0, 1, 0, out);
     }
     out.push_back(colors[i]);
   }

@@ -52,8 +52,10 @@ std::vector<std::array<double, 2>> opaqueIntervals(const Points& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].opacity < 1) continue;
     const double s = points[i].scalar;
-    if (i > 0 && points[i - 1].opacity >= 1) intervals.back()[1] = s;
-    else intervals.push_back({s, s});
+    if (i > 0 && points[i - 1].opacity >= 1)
+      intervals.back()[1] = s;
+    else
+      intervals.push_back({s, s});
   }
   return intervals;
 }
@@ -63,9 +65,9 @@ double depthOfOpacity(double opacity, OpacityMeaning meaning) {
   return meaning == OpacityMeaning::extinction ? opacity : std::min(-std::log1p(-opacity), kHighestDepth);
 }
 
-/// Appends the points strictly between a and b that a line of g = -ln(1 - opacity) needs to stay within the tolerance, relative to g.
-/// With q = sqrt(g), the chord between q1 and q2 is off by (q2 - q1)^2 / 2 of g at most, to first order, wherever it lies: so knots at
-/// equal steps of q are the fewest.
+/// Appends the points strictly between a and b that a line of g = -ln(1 - opacity) needs to stay within the tolerance,
+/// relative to g. With q = sqrt(g), the chord between q1 and q2 is off by (q2 - q1)^2 / 2 of g at most, to first order,
+/// wherever it lies: so knots at equal steps of q are the fewest.
 void resample(const ControlPoint& a, const ControlPoint& b, double tolerance, Points& out) {
   constexpr double kSafety = 0.9;  // for the higher orders, next to opacity 1
   const bool rising = a.opacity < b.opacity;
@@ -119,9 +121,11 @@ ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& 
   curve.domain = function.domain.value_or(setting.fieldRange);
   curve.unitLength = function.unitLength.value_or(setting.boundingDiagonal / 20);
   if (!(curve.unitLength > 0 && std::isfinite(curve.unitLength))) {
-    failInput(fmt::format("unit length {} is not positive", curve.unitLength), "transfer function", "give a length in mesh units");
+    failInput(fmt::format("unit length {} is not positive", curve.unitLength), "transfer function",
+              "give a length in mesh units");
   }
-  if (!(setting.tolerance > 0)) failInput(fmt::format("tolerance {} is not positive", setting.tolerance), "transfer function");
+  if (!(setting.tolerance > 0))
+    failInput(fmt::format("tolerance {} is not positive", setting.tolerance), "transfer function");
 
   Points points = pointsOverDomain(function, curve.domain);
   if (function.meaning == OpacityMeaning::perUnit) {

@@ -14,7 +14,8 @@ namespace {
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;
 
 std::string readFile(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) failInput("is a directory", path.string(), "name a transfer function's file");
+  if (std::filesystem::is_directory(path))
+    failInput("is a directory", path.string(), "name a transfer function's file");
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) failInput("cannot be read: " + error.message(), path.string());
@@ -30,7 +31,8 @@ bool isXml(std::string_view content) {
   return content.starts_with("\xef\xbb\xbf<") || (first != std::string_view::npos && content[first] == '<');
 }
 
-/// The format shows in the content; only the table of raw floats has no mark but its size and is known by its name, too.
+/// The format shows in the content; only the table of raw floats has no mark but its size and is known by its name,
+/// too.
 TransferFunction readByContent(std::string_view content, const std::filesystem::path& path) {
   const std::string file = path.string();
   if (content.empty()) failInput("is empty", file);
@@ -58,8 +60,10 @@ TransferFunction loadTransferFunction(const std::string& presetOrFile) {
     if (preset.name == presetOrFile) return preset.function;
   }
   if (std::filesystem::exists(presetOrFile)) return loadFile(presetOrFile);
-  if (presetOrFile.find_first_of("./\\") != std::string::npos) failInput("no such file", presetOrFile, "name a file or one of the presets");
-  failInput("neither a preset nor a file", fmt::format("transfer function '{}'", presetOrFile), didYouMean(presetOrFile, presetNames()));
+  if (presetOrFile.find_first_of("./\\") != std::string::npos)
+    failInput("no such file", presetOrFile, "name a file or one of the presets");
+  failInput("neither a preset nor a file", fmt::format("transfer function '{}'", presetOrFile),
+            didYouMean(presetOrFile, presetNames()));
 }
 
 }  // namespace havs

@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A node of ParaView's opacity function: towards the next, half the way in value is done at `midpoint`, in a step for sharpness 1.
+/// A node of ParaView's opacity function: towards the next, half the way in value is done at `midpoint`, in a step for
+/// sharpness 1.
 struct OpacityNode {
   double scalar = 0;
   double opacity = 0;
@@ -41,7 +42,8 @@ void sortByScalar(std::vector<Node>& nodes) {
   std::stable_sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.scalar < b.scalar; });
 }
 
-/// Share of the way in value, the fraction t of the way in scalar: VTK's piecewise function, a Hermite curve bent by midpoint and sharpness.
+/// Share of the way in value, the fraction t of the way in scalar: VTK's piecewise function, a Hermite curve bent by
+/// midpoint and sharpness.
 double bend(const OpacityNode& node, double t) {
   double s = t < node.midpoint ? 0.5 * t / node.midpoint : 0.5 + 0.5 * (t - node.midpoint) / (1 - node.midpoint);
   const double power = 1 + 10 * node.sharpness;
@@ -66,7 +68,7 @@ Line opacityLine(const std::vector<OpacityNode>& nodes) {
       if (a.midpoint != 0.5) line.push_back({middle, {}, std::midpoint(a.opacity, b.opacity)});
     } else {
       for (int k = 1; k < kPieces; ++k) {
-        const double t = double{1} * k / kPieces;
+        const double t = static_cast<double>(k) / kPieces;
         line.push_back({std::lerp(a.scalar, b.scalar, t), {}, std::lerp(a.opacity, b.opacity, bend(a, t))});
       }
     }
@@ -76,8 +78,10 @@ Line opacityLine(const std::vector<OpacityNode>& nodes) {
 
 /// The line's value just below or just above a scalar.
 ControlPoint besides(const Line& line, double scalar, bool above) {
-  const auto next = above ? std::upper_bound(line.begin(), line.end(), scalar, [](double x, const ControlPoint& p) { return x < p.scalar; })
-                          : std::lower_bound(line.begin(), line.end(), scalar, [](const ControlPoint& p, double x) { return p.scalar < x; });
+  const auto next = above ? std::upper_bound(line.begin(), line.end(), scalar,
+                                             [](double x, const ControlPoint& p) { return x < p.scalar; })
+                          : std::lower_bound(line.begin(), line.end(), scalar,
+                                             [](const ControlPoint& p, double x) { return p.scalar < x; });
   if (next == line.begin()) return line.front();
   const ControlPoint& last = *std::prev(next);
   if (next == line.end()) return last;
@@ -113,15 +117,20 @@ void normalise(Line& line, const std::string& file) {
 
 TransferFunction transferFunction(ColorMap map, const std::string& file) {
   const auto space = colorSpaceNamed(map.space);
-  if (!space) failInput(fmt::format("colour space '{}' is not known", map.space), file, "known: RGB, HSV, HSVNoWrap, Lab, Diverging, Step");
-  if (map.colors.empty()) failInput("the colour map has no colours", file, "maps of IndexedColors (categories) cannot be used");
+  if (!space)
+    failInput(fmt::format("colour space '{}' is not known", map.space), file,
+              "known: RGB, HSV, HSVNoWrap, Lab, Diverging, Step");
+  if (map.colors.empty())
+    failInput("the colour map has no colours", file, "maps of IndexedColors (categories) cannot be used");
   for (std::size_t i = 0; i < map.colors.size(); ++i) {
-    if (!std::isfinite(map.colors[i].scalar)) failInput("a scalar is not finite", fmt::format("{}, point {}", file, i + 1));
+    if (!std::isfinite(map.colors[i].scalar))
+      failInput("a scalar is not finite", fmt::format("{}, point {}", file, i + 1));
   }
   for (std::size_t i = 0; i < map.opacities.size(); ++i) {
     const OpacityNode& n = map.opacities[i];
     if (!(std::isfinite(n.scalar) && n.midpoint >= 0 && n.midpoint <= 1 && n.sharpness >= 0 && n.sharpness <= 1)) {
-      failInput("opacity point out of range", fmt::format("{}, opacity point {}", file, i + 1), "midpoint and sharpness lie in [0, 1]");
+      failInput("opacity point out of range", fmt::format("{}, opacity point {}", file, i + 1),
+                "midpoint and sharpness lie in [0, 1]");
     }
   }
   sortByScalar(map.colors);
@@ -145,10 +154,13 @@ void checkOneMap(std::size_t count, const std::string& file) {
 std::vector<double> numbers(const Json& map, const char* key, std::size_t width, const std::string& file) {
   if (!map.contains(key)) return {};
   const Json& list = map[key];
-  if (!list.is_array() || list.size() % width != 0) failInput(fmt::format("'{}' is no list of {} numbers a point", key, width), file);
+  if (!list.is_array() || list.size() % width != 0)
+    failInput(fmt::format("'{}' is no list of {} numbers a point", key, width), file);
   std::vector<double> values;
   for (const Json& value : list) {
-    if (!value.is_number()) failInput(fmt::format("'{}' holds '{}', no number", key, value.dump()), fmt::format("{}, point {}", file, values.size() / width + 1));
+    if (!value.is_number())
+      failInput(fmt::format("'{}' holds '{}', no number", key, value.dump()),
+                fmt::format("{}, point {}", file, values.size() / width + 1));
     values.push_back(value.get<double>());
   }
   return values;
@@ -166,7 +178,8 @@ double attribute(const pugi::xml_node& node, const char* name, const std::string
 
 bool isParaViewJson(std::string_view text, const std::string& file) {
   const Json json = parseJson<Json>(text, file);
-  return json.is_array() || (json.is_object() && (json.contains("RGBPoints") || json.contains("ColorSpace") || json.contains("IndexedColors")));
+  return json.is_array() || (json.is_object() && (json.contains("RGBPoints") || json.contains("ColorSpace") ||
+                                                  json.contains("IndexedColors")));
 }
 
 TransferFunction readParaViewJson(std::string_view text, const std::string& file) {
@@ -178,11 +191,14 @@ TransferFunction readParaViewJson(std::string_view text, const std::string& file
   if (!json.is_object()) failInput("a colour map is a JSON object", file);
   ColorMap map;
   if (json.contains("Name") && json["Name"].is_string()) map.name = json["Name"].get<std::string>();
-  if (json.contains("ColorSpace")) map.space = json["ColorSpace"].is_string() ? json["ColorSpace"].get<std::string>() : json["ColorSpace"].dump();
+  if (json.contains("ColorSpace"))
+    map.space = json["ColorSpace"].is_string() ? json["ColorSpace"].get<std::string>() : json["ColorSpace"].dump();
   const std::vector<double> rgb = numbers(json, "RGBPoints", 4, file);
-  for (std::size_t i = 0; i < rgb.size(); i += 4) map.colors.push_back({rgb[i], {rgb[i + 1], rgb[i + 2], rgb[i + 3]}, 0});
+  for (std::size_t i = 0; i < rgb.size(); i += 4)
+    map.colors.push_back({rgb[i], {rgb[i + 1], rgb[i + 2], rgb[i + 3]}, 0});
   const std::vector<double> points = numbers(json, "Points", 4, file);
-  for (std::size_t i = 0; i < points.size(); i += 4) map.opacities.push_back({points[i], points[i + 1], points[i + 2], points[i + 3]});
+  for (std::size_t i = 0; i < points.size(); i += 4)
+    map.opacities.push_back({points[i], points[i + 1], points[i + 2], points[i + 3]});
   return transferFunction(std::move(map), file);
 }
 
@@ -201,11 +217,13 @@ TransferFunction readParaViewXml(std::string_view text, const std::string& file)
   for (const pugi::xml_node& point : node.children("Point")) {
     const std::string where = fmt::format("{}, point {}", file, map.colors.size() + 1);
     const double x = attribute(point, "x", where);
-    map.colors.push_back({x, {attribute(point, "r", where), attribute(point, "g", where), attribute(point, "b", where)}, 0});
+    map.colors.push_back(
+        {x, {attribute(point, "r", where), attribute(point, "g", where), attribute(point, "b", where)}, 0});
     if (point.attribute("o")) map.opacities.push_back({x, attribute(point, "o", where)});
   }
   // ParaView writes opacity 1 throughout where a map holds colours alone.
-  if (std::all_of(map.opacities.begin(), map.opacities.end(), [](const OpacityNode& n) { return n.opacity == 1; })) map.opacities.clear();
+  if (std::all_of(map.opacities.begin(), map.opacities.end(), [](const OpacityNode& n) { return n.opacity == 1; }))
+    map.opacities.clear();
   return transferFunction(std::move(map), file);
 }
 

@@ -19,8 +19,8 @@ inline Rgba sampleBetween(const ExtinctionCurve::Knot& a, const ExtinctionCurve:
   return {color[0], color[1], color[2], shares.mix(a.kappa, b.kappa)};
 }
 
-/// Calls visit(atStart, atEnd, extent) for each piece from `from` to `to` (of [0, 1], in either direction), in that order:
-/// (r, g, b, kappa) at both ends of the piece and its extent in s, > 0.
+/// Calls visit(atStart, atEnd, extent) for each piece from `from` to `to` (of [0, 1], in either direction), in that
+/// order: (r, g, b, kappa) at both ends of the piece and its extent in s, > 0.
 template <class Visit>
 void visitPieces(const ExtinctionCurve& curve, double from, double to, const Visit& visit) {
   const auto& knots = curve.knots;
@@ -28,7 +28,8 @@ void visitPieces(const ExtinctionCurve& curve, double from, double to, const Vis
     auto next = std::upper_bound(knots.begin(), knots.end(), from, [](double s, const auto& k) { return s < k.s; });
     for (double s = from; s < to && next != knots.end(); s = next->s, ++next) {
       const double end = std::min(to, next->s);
-      if (end > s) visit(sampleBetween(*std::prev(next), *next, s), sampleBetween(*std::prev(next), *next, end), end - s);
+      if (end > s)
+        visit(sampleBetween(*std::prev(next), *next, s), sampleBetween(*std::prev(next), *next, end), end - s);
     }
   } else {
     auto next = std::lower_bound(knots.begin(), knots.end(), from, [](const auto& k, double s) { return k.s < s; });
@@ -47,7 +48,8 @@ inline Rgba integratePiece(const Rgba& front, const Rgba& back, double length) {
   const double atBack = back.a * length;
   const double depth = (atFront + atBack) / 2;
   if (!(depth > 0)) return {0, 0, 0, 0};
-  if (depth <= A::kShallowDepth) return A::weightedColor(front, back, A::weightsByRule(atFront, atBack, 0, A::kShallowNodes));
+  if (depth <= A::kShallowDepth)
+    return A::weightedColor(front, back, A::weightsByRule(atFront, atBack, 0, A::kShallowNodes));
   if (depth <= A::kMiddleDepth) {
     return A::weightedColor(front, back, A::weightsByRule(atFront, atBack, A::kFirstMiddleNode, A::kMiddleNodes));
   }

@@ -1,9 +1,10 @@
-// The table of the paper, every entry exact (Moreland and Angel 2004 state the integral; docs/02-method.md has it as it is computed here).
-// Front and back scalars of all entries lie on one grid of s. An entry that spans `span` steps of the grid on a length L sees the scalar change at
-// the rate span / L, and so does every other entry of that span and length: the colour of each step of the grid at that rate is integrated
-// once, and an entry is the composite of the steps it spans. A composite of `span` successive steps, for every start, takes three compositings each
-// (van Herk 1992; Gil and Werman 1993): the grid is cut into blocks of `span` steps, and what spans a seam is a block's end over a block's start.
-// No entry depends on steps it does not span.
+// The table of the paper, every entry exact (Moreland and Angel 2004 state the integral; docs/02-method.md has it as it
+// is computed here). Front and back scalars of all entries lie on one grid of s. An entry that spans `span` steps of
+// the grid on a length L sees the scalar change at the rate span / L, and so does every other entry of that span and
+// length: the colour of each step of the grid at that rate is integrated once, and an entry is the composite of the
+// steps it spans. A composite of `span` successive steps, for every start, takes three compositings each (van Herk
+// 1992; Gil and Werman 1993): the grid is cut into blocks of `span` steps, and what spans a seam is a block's end over
+// a block's start. No entry depends on steps it does not span.
 #include <fmt/format.h>
 
 #include <array>
@@ -21,7 +22,7 @@ namespace {
 
 /// A stretch of s within one step of the grid and between two knots.
 struct Piece {
-  Rgba low;   // (r, g, b, kappa)
+  Rgba low;  // (r, g, b, kappa)
   Rgba high;
   double extent;
 };
@@ -37,7 +38,9 @@ GridPieces cutIntoSteps(const ExtinctionCurve& curve, int steps) {
   for (int i = 0; i < steps; ++i) {
     grid.first.push_back(grid.pieces.size());
     visitPieces(curve, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps,
-                [&](const Rgba& low, const Rgba& high, double extent) { grid.pieces.push_back({low, high, extent}); });
+                [&](const Rgba& low, const Rgba& high, double extent) {
+                  grid.pieces.push_back({low, high, extent});
+                });
   }
   grid.first.push_back(grid.pieces.size());
   return grid;
@@ -141,8 +144,10 @@ class LayerBuilder {
 
 Table3d buildTable3d(const ExtinctionCurve& curve, int size, double maximumLength, const Progress& progress) {
   constexpr int kLargestSize = 512;
-  if (size < 2 || size > kLargestSize) failInput(fmt::format("a table of {} entries along each axis", size), "table size", "choose 2 to 512");
-  if (!(maximumLength > 0 && std::isfinite(maximumLength))) failInput(fmt::format("length {} is not positive", maximumLength), "table");
+  if (size < 2 || size > kLargestSize)
+    failInput(fmt::format("a table of {} entries along each axis", size), "table size", "choose 2 to 512");
+  if (!(maximumLength > 0 && std::isfinite(maximumLength)))
+    failInput(fmt::format("length {} is not positive", maximumLength), "table");
   Table3d table{.size = size, .maximumLength = maximumLength};
   const std::size_t layerFloats = std::size_t{4} * size * size;
   table.rgba.resize(layerFloats * size);
@@ -163,7 +168,8 @@ Table3d buildTable3d(const ExtinctionCurve& curve, int size, double maximumLengt
 
 std::vector<unsigned char> toRgba8(const Table3d& table) {
   std::vector<unsigned char> bytes(table.rgba.size());
-  parallelFor(0, bytes.size(), 1 << 16, [&](std::size_t i) { bytes[i] = static_cast<unsigned char>(std::lround(255 * table.rgba[i])); });
+  parallelFor(0, bytes.size(), 1 << 16,
+              [&](std::size_t i) { bytes[i] = static_cast<unsigned char>(std::lround(255 * table.rgba[i])); });
   return bytes;
 }
 

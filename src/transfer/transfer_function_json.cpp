@@ -33,7 +33,8 @@ double number(const Json& value, const std::string& what, const std::string& whe
 }
 
 /// True for the second name of two, false for the first.
-bool isSecond(const Json& value, const std::vector<std::string>& names, const std::string& key, const std::string& where) {
+bool isSecond(const Json& value, const std::vector<std::string>& names, const std::string& key,
+              const std::string& where) {
   const std::string name = value.is_string() ? value.get<std::string>() : value.dump();
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (name == names[i]) return i == 1;
@@ -42,7 +43,8 @@ bool isSecond(const Json& value, const std::vector<std::string>& names, const st
 }
 
 ControlPoint readPoint(const Json& value, const std::string& where) {
-  if (!value.is_object()) failInput("a point is no object", where, R"(write {"scalar": 0.5, "color": [1, 0, 0], "opacity": 0.1})");
+  if (!value.is_object())
+    failInput("a point is no object", where, R"(write {"scalar": 0.5, "color": [1, 0, 0], "opacity": 0.1})");
   checkKeys(value, kPointKeys, where);
   for (const std::string& key : kPointKeys) {
     if (!value.contains(key)) failInput(fmt::format("'{}' is missing", key), where);
@@ -68,7 +70,8 @@ TransferFunction readTransferJson(std::string_view text, const std::string& file
   if (!json.is_object()) failInput("a transfer function is a JSON object", file);
   checkKeys(json, kKeys, file);
   if (!json.contains("version")) failInput("'version' is missing", file, R"(write "version": 1)");
-  if (json["version"] != 1) failInput(fmt::format("version {} is not known", json["version"].dump()), file, "this program reads version 1");
+  if (json["version"] != 1)
+    failInput(fmt::format("version {} is not known", json["version"].dump()), file, "this program reads version 1");
   if (!json.contains("points") || !json["points"].is_array() || json["points"].empty()) {
     failInput("'points' is no list of at least one control point", file);
   }
@@ -77,9 +80,11 @@ TransferFunction readTransferJson(std::string_view text, const std::string& file
     if (!json["name"].is_string()) failInput("'name' is no text", file);
     function.name = json["name"].get<std::string>();
   }
-  if (json.contains("opacity") && isSecond(json["opacity"], kMeanings, "opacity", file)) function.meaning = OpacityMeaning::extinction;
+  if (json.contains("opacity") && isSecond(json["opacity"], kMeanings, "opacity", file))
+    function.meaning = OpacityMeaning::extinction;
   if (json.contains("scale")) function.normalised = !isSecond(json["scale"], kScales, "scale", file);
-  if (json.contains("unit_length") && !json["unit_length"].is_null()) function.unitLength = number(json["unit_length"], "'unit_length'", file);
+  if (json.contains("unit_length") && !json["unit_length"].is_null())
+    function.unitLength = number(json["unit_length"], "'unit_length'", file);
   if (json.contains("domain") && !json["domain"].is_null()) function.domain = readDomain(json["domain"], file);
   for (const Json& point : json["points"]) {
     function.points.push_back(readPoint(point, fmt::format("{}, point {}", file, function.points.size() + 1)));

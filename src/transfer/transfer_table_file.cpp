@@ -26,7 +26,8 @@ std::vector<Entry> readEntries(std::string_view bytes, const std::string& file) 
   std::memcpy(entries.data(), bytes.data(), kTableBytes);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (float channel : entries[i]) {
-      if (!(channel >= 0 && channel <= 1)) failInput(fmt::format("value {} is outside [0, 1]", channel), fmt::format("{}, entry {}", file, i));
+      if (!(channel >= 0 && channel <= 1))
+        failInput(fmt::format("value {} is outside [0, 1]", channel), fmt::format("{}, entry {}", file, i));
     }
   }
   return entries;
