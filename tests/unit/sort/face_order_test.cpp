@@ -25,7 +25,7 @@ std::vector<std::string> orderNames() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sort, EveryOrder, testing::ValuesIn(orderNames()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& order) { return order.param; });
 
 TEST_P(EveryOrder, WritesEachFaceOnce) {
   for (TetMesh mesh : {test::singleTetrahedron(), test::box(5, test::Cut::five, 0.25), test::nestedShells(1),

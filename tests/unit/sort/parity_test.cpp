@@ -63,8 +63,8 @@ void expectClosedForm(TetMesh mesh, const std::vector<SignedBox>& boxes) {
         for (int x = 0; x < kSize; ++x) {
           double inside = 0;
           for (const SignedBox& box : boxes) inside += box.sign * lengthInBox(box, scene.frame, view, x, y);
-          // Double precision throughout; 1e-9 leaves room for faces seen at grazing angles.
-          EXPECT_NEAR(result.image[static_cast<std::size_t>(y * kSize + x)][3], -std::expm1(-kExtinction * inside), 1e-9)
+          // The replay rounds vertices to 2^-26 pixel, 1e-9 of the picture's height; at grazing faces the length moves more.
+          EXPECT_NEAR(result.image[static_cast<std::size_t>(y * kSize + x)][3], -std::expm1(-kExtinction * inside), 1e-7)
               << x << " " << y;
         }
     }

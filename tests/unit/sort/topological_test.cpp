@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, TetMesh>> convexMeshes() {
           {"ball", test::ball(6)}};
 }
 
-// Most orders of a convex mesh without cycles are right for every ray: no fragment comes late even where the buffer holds one.
+// The order of a convex mesh without cycles is right for every ray: no fragment comes late even where the buffer holds one.
 TEST(TopologicalOrder, IsExactForConvexMeshes) {
   const auto color = test::scalarExtinction(1.5);
   for (auto& [name, mesh] : convexMeshes()) {
@@ -60,9 +60,9 @@ TEST(TopologicalOrder, CutsAndCountsCycles) {
   const FaceOrder order = scene.order("topological", view);
   EXPECT_GE(order.cycles, 1u);
   EXPECT_EQ(order.faces.size(), scene.faces.size());
-  // What the cut cycle puts out of order is a few layers deep: a short buffer mends it.
+  // Some rays meet the cells where the cycle was cut in the wrong order. None meets more faces than the longer buffer holds.
   EXPECT_GT(scene.replay("topological", view, 1).misordered, 0u);
-  EXPECT_EQ(scene.replay("topological", view, 6).misordered, 0u);
+  EXPECT_EQ(scene.replay("topological", view, 14).misordered, 0u);
 }
 
 TEST(TopologicalOrder, DoesNotDependOnEarlierViews) {
