@@ -35,7 +35,7 @@ class PixelReplay {
     const typename A::Fragment fragment = A::makeFragment(exact.scalar, exact.distance, exact.kind);
     if (A::isLate(buffer_, state_, fragment)) {
       ++result_.misordered;
-      state_.inside += exact.kind;
+      state_.inside += exact.kind;  // the fragment is dropped, its kind still counts
       return;
     }
     typename A::Fragment front;
