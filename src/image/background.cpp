@@ -8,7 +8,8 @@ namespace havs {
 namespace {
 
 [[noreturn]] void fail(const std::string& text) {
-  failInput("not a background: '" + text + "'", "", "try white, black, none, '#rrggbb' or r,g,b with numbers from 0 to 1");
+  failInput("not a background: '" + text + "'", "",
+            "try white, black, none, '#rrggbb' or r,g,b with numbers from 0 to 1");
 }
 
 std::optional<Color> hexColor(std::string_view digits) {

@@ -127,10 +127,8 @@ Image readExr(const fs::path& file) {
   Image image = emptyImage(width, height, bytes.size(), 2.0 * header.num_channels, kMostThatZipShrinks, file);
   for (int c = 0; c < header.num_channels; ++c) header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
   LoadedImage loaded(header);
-  loaded.whole =
-      LoadEXRImageFromMemory(&loaded.image, &header, bytes.data(), bytes.size(), &error) == TINYEXR_SUCCESS;
-  if (!loaded.whole)
-    failInput("broken OpenEXR pixels: " + messageOf(error), file.string(), "is it cut off?");
+  loaded.whole = LoadEXRImageFromMemory(&loaded.image, &header, bytes.data(), bytes.size(), &error) == TINYEXR_SUCCESS;
+  if (!loaded.whole) failInput("broken OpenEXR pixels: " + messageOf(error), file.string(), "is it cut off?");
   const std::size_t pixels = image.rgba.size() / kChannels;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const int channel = channelNamed(header, kNames[c]);

@@ -17,8 +17,9 @@ Image readPng(const std::filesystem::path& file);
 Image readExr(const std::filesystem::path& file);
 Image readPfm(const std::filesystem::path& file);
 
-/// A picture of this size, zero everywhere. Throws Error{input} (naming `file`) for a size that `availableBytes` of that file cannot hold at
-/// `bytesPerPixel` (times `compression`, the most that its packing may shrink): a broken header must not decide how much memory is taken.
+/// A picture of this size, zero everywhere. Throws Error{input} (naming `file`) for a size that `availableBytes` of
+/// that file cannot hold at `bytesPerPixel` (times `compression`, the most that its packing may shrink): a broken
+/// header must not decide how much memory is taken.
 Image emptyImage(std::int64_t width, std::int64_t height, std::uintmax_t availableBytes, double bytesPerPixel,
                  double compression, const std::filesystem::path& file);
 

@@ -1,5 +1,5 @@
-// Portable float map: "PF", width and height, a scale whose sign says the byte order (negative: little endian), then rows of
-// RGB floats, the bottom row first.
+// Portable float map: "PF", width and height, a scale whose sign says the byte order (negative: little endian), then
+// rows of RGB floats, the bottom row first.
 #include <fmt/format.h>
 
 #include <bit>

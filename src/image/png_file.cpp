@@ -149,7 +149,8 @@ Image readPng(const fs::path& file) {
   Image image = emptyImage(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info),
                            fs::file_size(file), kLeastBytesPerPixel, kMostThatZipShrinks, file);
   std::vector<std::uint16_t> row(4 * static_cast<std::size_t>(image.width));
-  if (!readRows(reader, image, row)) failInput("broken PNG file: " + reader.messages.error, file.string(), "is it cut off?");
+  if (!readRows(reader, image, row))
+    failInput("broken PNG file: " + reader.messages.error, file.string(), "is it cut off?");
   return image;
 }
 

@@ -16,7 +16,8 @@ TEST(ParseBackground, ReadsEveryWayOfWriting) {
 }
 
 TEST(ParseBackground, RefusesEverythingElse) {
-  for (const char* text : {"", "whit", "#fff", "#12345g", "#-1-1-1", "0.1,0.2", "0.1,0.2,0.3,0.4", "1,2,0", "nan,0,0", "0,0,0 "})
+  for (const char* text :
+       {"", "whit", "#fff", "#12345g", "#-1-1-1", "0.1,0.2", "0.1,0.2,0.3,0.4", "1,2,0", "nan,0,0", "0,0,0 "})
     EXPECT_THROW(parseBackground(text), Error) << text;
 }
 

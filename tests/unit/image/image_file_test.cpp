@@ -13,7 +13,8 @@ namespace havs {
 namespace {
 
 Image randomImage(int width, int height) {
-  Image image{width, height, std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  Image image{width, height,
+              std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   std::mt19937 generator(7);
   std::uniform_real_distribution<float> uniform(0, 1);
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
