@@ -13,7 +13,7 @@
 #include "core/nearest_name.h"
 #include "gl/device.h"
 #include "mesh/read.h"
-#include "render/methods.h"
+#include "scene/methods.h"
 #include "sort/face_order.h"
 #include "transfer/transfer_function.h"
 
@@ -75,7 +75,7 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
       ->group(group);
   command
       .add_option("--table-format", options.tableFormat,
-                  fmt::format("{} (default {})", fmt::join(kTableFormats, " or "), defaults.tableFormat))
+                  fmt::format("{} (default {})", fmt::join(namesOf(tableFormats()), " or "), defaults.tableFormat))
       ->group(group);
   command
       .add_option("--early-termination", options.earlyTermination, "Opacity at which a pixel is done (default: never)")
