@@ -17,10 +17,12 @@ double frameMilliseconds(const StageTimes& stages) {
   return stages.median("order") + stages.median("upload") + stages.median("draw") + stages.median("flush");
 }
 
+/// Every stage of a frame, 0 for one that this drawing did without, and whatever else was timed.
 Json stagesAsJson(const StageTimes& stages) {
   Json json;
   for (const char* stage : {"read", "faces", "order", "upload", "table", "draw", "flush", "readback", "total"})
     json[stage] = stages.median(stage);
+  for (const auto& [stage, milliseconds] : stages.medians()) json[stage] = milliseconds;
   return json;
 }
 
@@ -96,8 +98,6 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
                            ms("total"), ms("read"), ms("faces"), ms("table"), frameMilliseconds(report.stages),
                            ms("order"), ms("upload"), ms("draw"), ms("flush")));
   line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
-  for (const Defect& defect : report.defects)
-    if (defect.count > 0) line("defect", describe(defect));
   for (const std::string& note : report.notes) line("note", note);
   for (const auto& output : outputs) line("picture", output.string());
   return text;

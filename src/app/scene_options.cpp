@@ -5,22 +5,19 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <span>
 
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "gl/device.h"
-#include "mesh/read.h"
 #include "scene/methods.h"
+#include "scene/plan.h"
 #include "sort/face_order.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
 namespace {
 
-const std::vector<std::string> kTableFormats{"rgba32f", "rgba8"};
 const std::vector<std::string> kProjections{"perspective", "orthographic"};
 
 void addInputOptions(CLI::App& command, SceneOptions& options) {
@@ -73,10 +70,7 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
       .add_option("--table", options.tableSize,
                   fmt::format("Entries along each axis of the table (default {})", defaults.tableSize))
       ->group(group);
-  command
-      .add_option("--table-format", options.tableFormat,
-                  fmt::format("{} (default {})", fmt::join(namesOf(tableFormats()), " or "), defaults.tableFormat))
-      ->group(group);
+  addTable("--table-format", options.tableFormat, "Numbers of the table", defaults.tableFormat, tableFormats());
   command
       .add_option("--early-termination", options.earlyTermination, "Opacity at which a pixel is done (default: never)")
       ->group(group);
@@ -90,34 +84,28 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--repeat", options.repeat, "Draw so many times and report medians")->group(group);
 }
 
-template <class T>
-T inRange(const char* option, T value, T least, T most) {
-  if (value >= least && value <= most) return value;
-  failInput(fmt::format("must be {} to {}, not {}", least, most, value), option);
-}
-
 std::string known(const char* option, const std::string& name, const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) == names.end())
     failInput(fmt::format("unknown name '{}'", name), option, didYouMean(name, names));
   return name;
 }
 
+void refusePictureBeyondMemory(const Scene& scene) {
+  const double needed = 4.0 * sizeof(float) * scene.width * scene.height;
+  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed > available)
+    failInput(fmt::format("a picture of {} x {} needs {:.1f} GB, this machine has {:.1f} GB", scene.width, scene.height,
+                          needed / 1e9, available / 1e9),
+              "--size", "make it smaller");
+}
+
 void setSize(Scene& scene, const std::string& text) {
-  constexpr int kMostPixelsASide = 65536;
   const char* const end = text.data() + text.size();
   const auto [cross, error] = std::from_chars(text.data(), end, scene.width);
   const bool firstRead = error == std::errc{} && cross != end && *cross == 'x';
   const auto [last, secondError] = std::from_chars(firstRead ? cross + 1 : end, end, scene.height);
   if (!firstRead || secondError != std::errc{} || last != end)
     failInput(fmt::format("'{}' is not a size", text), "--size", "write WIDTHxHEIGHT, such as 1024x768");
-  inRange("--size", scene.width, 1, kMostPixelsASide);
-  inRange("--size", scene.height, 1, kMostPixelsASide);
-  const double needed = 4.0 * sizeof(float) * scene.width * scene.height;
-  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed > available)
-    failInput(
-        fmt::format("a picture of {} needs {:.1f} GB, this machine has {:.1f} GB", text, needed / 1e9, available / 1e9),
-        "--size", "make it smaller");
 }
 
 std::array<double, 2> parseDomain(const std::string& text) {
@@ -128,8 +116,6 @@ std::array<double, 2> parseDomain(const std::string& text) {
   const auto [last, secondError] = std::from_chars(firstRead ? comma + 1 : end, end, domain[1]);
   if (!firstRead || secondError != std::errc{} || last != end)
     failInput(fmt::format("'{}' is not a range of values", text), "--domain", "write LOW,HIGH, such as 0,1.5");
-  if (!std::isfinite(domain[0]) || !std::isfinite(domain[1]) || !(domain[0] < domain[1]))
-    failInput(fmt::format("'{}' is no range: both ends must be finite, the first the smaller", text), "--domain");
   return domain;
 }
 
@@ -143,22 +129,21 @@ void setCamera(Scene& scene, const SceneOptions& options) {
 }
 
 void setMethod(Scene& scene, const SceneOptions& options) {
-  constexpr int kMostEntriesAnAxis = 512;
-  constexpr int kMostThreads = 4096;
-  constexpr int kMostRepeats = 100000;
-  if (options.visibility) scene.visibility = known("--visibility", *options.visibility, namesOf(visibilityMethods()));
+  if (options.visibility) scene.visibility = *options.visibility;
   if (options.sort) scene.sort = known("--sort", *options.sort, namesOf(sortMethods()));
-  if (options.lookup) scene.lookup = known("--lookup", *options.lookup, namesOf(lookups()));
+  if (options.lookup) scene.lookup = *options.lookup;
   if (options.device) scene.device = known("--device", *options.device, namesOf(deviceRows()));
-  if (options.tableFormat) scene.tableFormat = known("--table-format", *options.tableFormat, kTableFormats);
-  if (options.k) scene.k = inRange("--k", *options.k, 1, rowNamed(visibilityMethods(), scene.visibility).maximumK);
-  if (options.tableSize) scene.tableSize = inRange("--table", *options.tableSize, 2, kMostEntriesAnAxis);
-  if (options.earlyTermination)
-    scene.earlyTermination = inRange("--early-termination", *options.earlyTermination, 0.0, 1.0);
+  if (options.tableFormat) scene.tableFormat = *options.tableFormat;
+  if (options.k) scene.k = *options.k;
+  if (options.tableSize) scene.tableSize = *options.tableSize;
+  if (options.earlyTermination) scene.earlyTermination = *options.earlyTermination;
   if (options.compositeLate) scene.compositeLate = true;
-  if (options.threads)
-    scene.threads = static_cast<std::size_t>(inRange("--threads", *options.threads, 0, kMostThreads));
-  if (options.repeat) scene.repeat = inRange("--repeat", *options.repeat, 1, kMostRepeats);
+  if (options.repeat) scene.repeat = *options.repeat;
+  if (options.threads) {
+    if (*options.threads < 0)
+      failInput(fmt::format("{} is no number of threads", *options.threads), "--threads", "0 means all cores");
+    scene.threads = static_cast<std::size_t>(*options.threads);
+  }
 }
 
 }  // namespace
@@ -178,16 +163,14 @@ Scene makeScene(const SceneOptions& options) {
   if (options.tetgenSwitches) scene.tetgenSwitches = *options.tetgenSwitches;
   if (options.field) scene.field = *options.field;
   if (options.transferFunction) scene.transferFunction = *options.transferFunction;
-  if (options.unitLength) {
-    if (!std::isfinite(*options.unitLength) || !(*options.unitLength > 0))
-      failInput(fmt::format("must be a positive length, not {}", *options.unitLength), "--unit-length");
-    scene.unitLength = *options.unitLength;
-  }
+  scene.unitLength = options.unitLength;
   if (options.domain) scene.domain = parseDomain(*options.domain);
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
   setCamera(scene, options);
   setMethod(scene, options);
+  checkScene(scene);
+  refusePictureBeyondMemory(scene);
   return scene;
 }
 

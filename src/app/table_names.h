@@ -15,12 +15,6 @@ std::vector<std::string> namesOf(const Rows& rows) {
   return names;
 }
 
-/// The row of that name, which must exist.
-template <class Rows>
-const auto& rowNamed(const Rows& rows, const std::string& name) {
-  return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
-}
-
 /// One line a row, name and description, to stand below an option's help.
 template <class Rows>
 std::string rowsForHelp(const Rows& rows) {

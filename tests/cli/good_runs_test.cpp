@@ -39,8 +39,8 @@ TEST_F(Render, JsonHoldsEveryKey) {
   EXPECT_THAT(keysOf(json),
               testing::UnorderedElementsAre("mesh", "field", "settings", "device", "cycles", "stages_ms", "frame_ms",
                                             "cpu_ms", "peak_memory_bytes", "defects", "notes", "outputs"));
-  EXPECT_THAT(keysOf(json["stages_ms"]), testing::UnorderedElementsAre("read", "faces", "order", "upload", "table",
-                                                                       "draw", "flush", "readback", "total"));
+  EXPECT_THAT(keysOf(json["stages_ms"]), testing::IsSupersetOf({"read", "faces", "order", "upload", "table", "draw",
+                                                                "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
                                             "sort", "lookup", "table", "table_format", "early_termination",
