@@ -15,4 +15,4 @@ endfunction()
 # the same bits in the shaders, in C++ and on SIMD lanes (docs/05-architecture.md).
 add_library(havs_options INTERFACE)
 target_compile_options(havs_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast
-                       -Wno-missing-field-initializers -ffp-contract=off)
+                       -Wno-missing-field-initializers -Wno-restrict -ffp-contract=off)

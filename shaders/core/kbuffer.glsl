@@ -4,17 +4,20 @@
 // than everything and leave first; each fragment carries its kind, and a running count of entries minus exits says whether a
 // segment lies inside the mesh.
 
+// What a fragment carries besides its distance, packed as suits the machine. Each side supplies the type Payload and
+//   Payload makePayload(Real scalar, Real kind)   scalar in [0, 1]; kind +1: the ray enters the mesh; -1: it leaves; 0: a face between two cells
+//   Real scalarOf(Payload)   Real kindOf(Payload)   Payload selectPayload(Mask condition, Payload yes, Payload no)
+
 struct Fragment {
-  Real scalar;    // in [0, 1]
   Real distance;  // along the ray, local units, relative to the plane through the mesh's centre
-  Real kind;      // +1: the ray enters the mesh; -1: it leaves; 0: a face between two cells
+  Payload payload;
 };
 
 struct KBuffer {
   Fragment entry[HAVS_K];
 };
 
-// What happened to a pixel besides the buffer. `inside`: entries minus exits of all fragments that left. `started`: 1 once a real fragment left.
+// What happened to a pixel besides the k-buffer. `inside`: entries minus exits of all fragments that left. `started`: 1 once a real fragment left.
 struct PixelState {
   Real inside;
   Real started;
@@ -28,57 +31,57 @@ struct Segment {
   Mask visible;
 };
 
-CONSTANT Real kEmptyDistance = Real(-3.0e38);
-CONSTANT Real kEmptyLimit = Real(-1.0e38);  // everything below is empty
-CONSTANT Real kLateTolerance = Real(1.0e-6);
+CONSTANT Scalar kEmptyDistance = Scalar(-3.0e38);
+CONSTANT Scalar kEmptyLimit = Scalar(-1.0e38);  // everything below is empty
+CONSTANT Scalar kLateTolerance = Scalar(1.0e-6);
 
-FUNCTION Fragment emptyFragment() {
+FUNCTION Fragment makeFragment(Real scalar, Real distance, Real kind) {
   Fragment f;
-  f.scalar = Real(0.0);
-  f.distance = kEmptyDistance;
-  f.kind = Real(0.0);
+  f.distance = distance;
+  f.payload = makePayload(scalar, kind);
   return f;
 }
 
-FUNCTION Mask isEmpty(Fragment f) { return f.distance < kEmptyLimit; }
+FUNCTION Fragment emptyFragment() { return makeFragment(Real(0.0), Real(kEmptyDistance), Real(0.0)); }
+
+FUNCTION Mask isEmpty(Fragment f) { return f.distance < Real(kEmptyLimit); }
 
 FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
   Fragment f;
-  f.scalar = select(condition, yes.scalar, no.scalar);
   f.distance = select(condition, yes.distance, no.distance);
-  f.kind = select(condition, yes.kind, no.kind);
+  f.payload = selectPayload(condition, yes.payload, no.payload);
   return f;
 }
 
 // `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left, so that the segment it belongs to
 // has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not full.
-FUNCTION Mask isLate(KBuffer buffer, PixelState state, Fragment f) {
-  return (state.started > Real(0.5)) && (f.distance < buffer.entry[0].distance - kLateTolerance);
+FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {
+  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - Real(kLateTolerance));
 }
 
 // Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first.
-FUNCTION void insertFragment(INOUT(KBuffer) buffer, Fragment f, OUT(Fragment) front) {
-  Mask nearer = f.distance < buffer.entry[0].distance;
-  front = selectFragment(nearer, f, buffer.entry[0]);
-  Fragment carried = selectFragment(nearer, buffer.entry[0], f);
+FUNCTION void insertFragment(INOUT(KBuffer) kbuffer, Fragment f, OUT(Fragment) front) {
+  Mask nearer = f.distance < kbuffer.entry[0].distance;
+  front = selectFragment(nearer, f, kbuffer.entry[0]);
+  Fragment carried = selectFragment(nearer, kbuffer.entry[0], f);
   for (int i = 1; i < HAVS_K; ++i) {
-    Mask swapped = carried.distance < buffer.entry[i].distance;
-    buffer.entry[i - 1] = selectFragment(swapped, carried, buffer.entry[i]);
-    carried = selectFragment(swapped, buffer.entry[i], carried);
+    Mask swapped = carried.distance < kbuffer.entry[i].distance;
+    kbuffer.entry[i - 1] = selectFragment(swapped, carried, kbuffer.entry[i]);
+    carried = selectFragment(swapped, kbuffer.entry[i], carried);
   }
-  buffer.entry[HAVS_K - 1] = carried;
+  kbuffer.entry[HAVS_K - 1] = carried;
 }
 
 // `front` has left and `back` is the next nearest: brings the state up to date and gives the segment between them.
 FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
   Mask real = !isEmpty(front);
-  state.inside = state.inside + front.kind;
+  state.inside = state.inside + kindOf(front.payload);
   state.started = select(real, Real(1.0), state.started);
   Segment segment;
-  segment.scalarFront = front.scalar;
-  segment.scalarBack = back.scalar;
-  Real length = back.distance - front.distance;
-  segment.length = select(length > Real(0.0), length, Real(0.0));
+  segment.scalarFront = scalarOf(front.payload);
+  segment.scalarBack = scalarOf(back.payload);
+  Real stretch = back.distance - front.distance;
+  segment.length = select(stretch > Real(0.0), stretch, Real(0.0));
   segment.visible = real && (state.inside > Real(0.5));
   return segment;
 }

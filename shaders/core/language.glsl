@@ -1,7 +1,8 @@
 // The words of the shared arithmetic (shaders/core/*.glsl), as GLSL spells them. src/core/arithmetic.h spells them for C++.
 // Rules of the subset: no branch on varying data but select(); loops with uniform bounds; typed literals Real(0.5); masks joined by && || !;
-// no fma; own exp, expm1, log; constants (arrays too) are CONSTANT.
+// no fma; own exp, expm1, log; constants (arrays too) are CONSTANT Scalar, one number for all lanes, made Real where they are used.
 #define Real float
+#define Scalar float
 #define Mask bool
 #define Rgba vec4
 #define FUNCTION
@@ -15,3 +16,4 @@ Real select(Mask condition, Real yes, Real no) { return mix(no, yes, condition);
 // 2^n for an integral n in [-126, 127].
 Real exp2Integral(Real n) { return intBitsToFloat((int(n) + 127) << 23); }
 Real roundToIntegral(Real x) { return roundEven(x); }
+Real squareRoot(Real x) { return sqrt(x); }

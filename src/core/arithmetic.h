@@ -14,7 +14,8 @@ struct FloatLane {
   static constexpr bool kDouble = false;
   static Real select(Mask condition, Real yes, Real no) { return condition ? yes : no; }
   static Real exp2Integral(Real n) { return std::bit_cast<float>((static_cast<std::int32_t>(n) + 127) << 23); }
-  static Real roundToIntegral(Real x) { return std::nearbyint(x); }
+  static Real roundToIntegral(Real x) { return (x + 0x1.8p23f) - 0x1.8p23f; }  // |x| < 2^22; ties to even
+  static Real squareRoot(Real x) { return std::sqrt(x); }
 };
 
 struct DoubleLane {
@@ -24,7 +25,8 @@ struct DoubleLane {
   static constexpr bool kDouble = true;
   static Real select(Mask condition, Real yes, Real no) { return condition ? yes : no; }
   static Real exp2Integral(Real n) { return std::bit_cast<double>((static_cast<std::int64_t>(n) + 1023) << 52); }
-  static Real roundToIntegral(Real x) { return std::nearbyint(x); }
+  static Real roundToIntegral(Real x) { return (x + 0x1.8p52) - 0x1.8p52; }  // |x| < 2^51; ties to even
+  static Real squareRoot(Real x) { return std::sqrt(x); }
 };
 
 #define FUNCTION static inline
@@ -45,11 +47,24 @@ struct Arithmetic {
     Rgba(Real r_, Real g_, Real b_, Real a_) : r(r_), g(g_), b(b_), a(a_) {}
   };
   static Real select(Mask condition, Real yes, Real no) { return Lane::select(condition, yes, no); }
+  struct Payload {
+    Real scalar, kind;
+  };
+  static Payload makePayload(Real scalar, Real kind) { return {scalar, kind}; }
+  static Real scalarOf(Payload payload) { return payload.scalar; }
+  static Real kindOf(Payload payload) { return payload.kind; }
+  static Payload selectPayload(Mask condition, Payload yes, Payload no) {
+    return {select(condition, yes.scalar, no.scalar), select(condition, yes.kind, no.kind)};
+  }
   static Real exp2Integral(Real n) { return Lane::exp2Integral(n); }
   static Real roundToIntegral(Real x) { return Lane::roundToIntegral(x); }
+  static Real squareRoot(Real x) { return Lane::squareRoot(x); }
 
 #include "core/kbuffer.glsl"
 #include "core/compositing.glsl"
+#include "core/opaque.glsl"
+#include "core/exponential.glsl"
+#include "core/integration.glsl"
 };
 
 #undef FUNCTION

@@ -17,9 +17,10 @@ struct Faces {
   bool isBoundary(std::size_t face) const { return cells[face][1] == kNoIndex; }
 };
 
-/// Linear time, parallel. Cells must be right-handed (repairMesh). Of a face with more than two cells, pairs are made in the order
-/// of the cell numbers, the odd one becoming a boundary face: parity along every ray stays right.
-/// The result does not depend on the number of threads.
+/// Linear time, parallel. Cells must be right-handed (repairMesh). Cells on opposite sides of one triangle are paired in the order of the cell
+/// numbers, the lower being cells[0]; a cell's face that finds no partner (more than two cells share the triangle, or two that overlap on
+/// one side of it) is a boundary face of its own. So entries and exits balance along every ray, whatever the cells.
+/// The result does not depend on the number of threads. Throws Error{input} for 2^29 cells or more.
 Faces buildFaces(const TetMesh& mesh);
 
 }  // namespace havs

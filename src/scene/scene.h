@@ -8,7 +8,7 @@
 
 namespace havs {
 
-/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods() and lookups() (render/methods.h), sortMethods()
+/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods() and lookups() (scene/methods.h), sortMethods()
 /// (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;

@@ -1,0 +1,18 @@
+// The corners of the mesh's faces, in the local frame. Points of boundary faces come a second time, after all points: the number of
+// the vertex tells whether its face has a cell on one side only.
+layout(location = 0) in vec4 pointAndScalar;
+
+uniform mat4 toClip;
+uniform vec3 forward;
+uniform int firstBoundaryVertex;
+
+smooth out float scalar;
+smooth out float depth;  // along the view, relative to the mesh's centre: no cancellation for a distant eye
+flat out float onBoundary;
+
+void main() {
+  scalar = pointAndScalar.w;
+  depth = dot(forward, pointAndScalar.xyz);
+  onBoundary = gl_VertexID >= firstBoundaryVertex ? 1.0 : 0.0;
+  gl_Position = toClip * vec4(pointAndScalar.xyz, 1.0);
+}

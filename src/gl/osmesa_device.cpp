@@ -1,0 +1,60 @@
+// Mesa's off-screen interface: llvmpipe in memory, without window system, display or GPU.
+#include <GL/osmesa.h>
+
+#include <array>
+#include <type_traits>
+
+#include "core/error.h"
+#include "gl/devices.h"
+#include "gl/shared_library.h"
+
+namespace havs {
+
+namespace {
+
+constexpr std::array kLibraryNames = {"libOSMesa.so.8", "libOSMesa.so"};
+
+// clang-format off
+constexpr int kCore45[] = {
+    OSMESA_FORMAT, OSMESA_RGBA,
+    OSMESA_DEPTH_BITS, 0,
+    OSMESA_STENCIL_BITS, 0,
+    OSMESA_ACCUM_BITS, 0,
+    OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+    OSMESA_CONTEXT_MAJOR_VERSION, 4,
+    OSMESA_CONTEXT_MINOR_VERSION, 5,
+    0};
+// clang-format on
+
+class OsmesaDevice : public Device {
+ public:
+  OsmesaDevice()
+      : library_(kLibraryNames, "install libosmesa6, or try --device egl"),
+        context_(
+            library_.function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(kCore45, nullptr),
+            library_.function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")) {
+    if (!context_) {
+      failRunning("OSMesa cannot make an OpenGL 4.5 core context", "--device osmesa",
+                  "unset MESA_GL_VERSION_OVERRIDE and GALLIUM_DRIVER, or try --device egl");
+    }
+    const auto makeCurrent = library_.function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+    if (!makeCurrent(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
+      failRunning("OSMesa cannot make its context current", "--device osmesa", "try --device egl");
+    }
+    load(library_.function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress"));
+  }
+  std::string name() const override { return "osmesa"; }
+
+ private:
+  using Context = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&OSMesaDestroyContext)>;
+
+  SharedLibrary library_;
+  std::array<unsigned char, 4> pixel_{};  // OSMesa wants a picture to draw into; we draw into framebuffer objects only
+  Context context_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> makeOsmesaDevice() { return std::make_unique<OsmesaDevice>(); }
+
+}  // namespace havs

@@ -1,0 +1,92 @@
+#include "mesh/local_frame.h"
+
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+
+namespace havs {
+namespace {
+
+constexpr std::size_t kGrain = 8192;
+
+struct Box {
+  Vec3 low{std::numeric_limits<double>::infinity()};
+  Vec3 high{-std::numeric_limits<double>::infinity()};
+};
+
+/// Largest value of measure(cell) over all cells, at least 0.
+template <class Measure>
+double greatest(const TetMesh& mesh, const Measure& measure) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, mesh.tetrahedra.size(), kGrain), 0.0,
+      [&](const tbb::blocked_range<std::size_t>& r, double most) {
+        for (std::size_t c = r.begin(); c < r.end(); ++c) most = std::max(most, measure(mesh.tetrahedra[c]));
+        return most;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+Box boundingBox(const TetMesh& mesh) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, mesh.tetrahedra.size(), kGrain), Box{},
+      [&](const tbb::blocked_range<std::size_t>& r, Box box) {
+        for (std::size_t c = r.begin(); c < r.end(); ++c)
+          for (const Index v : mesh.tetrahedra[c]) {
+            box.low = min(box.low, mesh.points[v]);
+            box.high = max(box.high, mesh.points[v]);
+          }
+        return box;
+      },
+      [](const Box& a, const Box& b) { return Box{min(a.low, b.low), max(a.high, b.high)}; });
+}
+
+}  // namespace
+
+LocalFrame localFrame(const TetMesh& mesh) {
+  LocalFrame frame;
+  if (mesh.tetrahedra.empty()) return frame;
+  const Box box = boundingBox(mesh);
+  frame.center = box.low / 2.0 + box.high / 2.0;  // their sum may overflow
+  const Vec3 half = box.high / 2.0 - box.low / 2.0;
+  // Lengths are squared only after division by this one, so that nothing overflows or underflows.
+  const double scale = std::max({half.x, half.y, half.z});
+  if (!(scale > 0)) {
+    frame.diagonal = 0;
+    return frame;
+  }
+  const double squared = greatest(mesh, [&](const Tetrahedron& cell) {
+    double most = 0;
+    for (const Index v : cell) {
+      const Vec3 q = (mesh.points[v] - frame.center) / scale;
+      most = std::max(most, dot(q, q));
+    }
+    return most;
+  });
+  frame.radius = scale * std::sqrt(squared);
+  frame.diagonal = 2 * scale * length(half / scale);
+  return frame;
+}
+
+std::vector<Vec3> localPoints(const TetMesh& mesh, const LocalFrame& frame) {
+  std::vector<Vec3> points(mesh.points.size());
+  parallelFor(0, points.size(), kGrain, [&](std::size_t i) { points[i] = frame.toLocal(mesh.points[i]); });
+  return points;
+}
+
+double longestEdge(const TetMesh& mesh, const std::vector<Vec3>& points) {
+  return std::sqrt(greatest(mesh, [&](const Tetrahedron& cell) {
+    double most = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const Vec3 edge = points[cell[static_cast<std::size_t>(j)]] - points[cell[static_cast<std::size_t>(i)]];
+        most = std::max(most, dot(edge, edge));
+      }
+    return most;
+  }));
+}
+
+}  // namespace havs

@@ -1,0 +1,188 @@
+// The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read the colour back; tile by
+// tile where a picture is larger than its targets may be.
+#include <algorithm>
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "core/error.h"
+#include "gl/check.h"
+#include "gl/framebuffer.h"
+#include "gl/limits.h"
+#include "gl/program_cache.h"
+#include "render/gl/lookup_textures.h"
+#include "render/gl/mesh_buffers.h"
+#include "render/renderer.h"
+
+namespace havs {
+namespace {
+
+constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
+/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
+constexpr float kMostOpacity = 0.99999994f;
+/// The eye lies outside the mesh, depth is not tested: only what is as good as behind the eye is clipped. Local units.
+constexpr double kNearPlane = 1e-6;
+
+/// A rectangle of the picture, rows from the bottom up as OpenGL counts.
+struct Tile {
+  int x, y, width, height;
+};
+
+std::vector<Tile> tilesOf(const View& view, const RenderPlan& plan) {
+  std::vector<Tile> tiles;
+  for (int y = 0; y < view.height; y += plan.tileHeight)
+    for (int x = 0; x < view.width; x += plan.tileWidth)
+      tiles.push_back({x, y, std::min(plan.tileWidth, view.width - x), std::min(plan.tileHeight, view.height - y)});
+  return tiles;
+}
+
+/// From the local frame to the clip coordinates of a tile; made in double, rounded once. Depth only serves to clip at the near plane.
+Mat4 clipMatrix(const View& view, const Tile& tile) {
+  const double perspective = view.orthographic ? 0.0 : 1.0;
+  // Rows of the whole picture's matrix: u, v of design's ray, and w.
+  const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -dot(view.forward, view.center)};
+  auto row = [&](const Vec3& axis, double half) { return Vec4{axis / half, -dot(axis, view.center) / half}; };
+  const Vec4 u = row(view.right, view.halfWidth), v = row(view.up, view.halfHeight);
+  // The tile's middle goes to 0, its half size to 1.
+  auto crop = [&](const Vec4& r, double first, double size, double whole) {
+    const double middle = (2.0 * first + size) / whole - 1.0;
+    return (r - middle * w) * (whole / size);
+  };
+  const Vec4 z = view.orthographic ? Vec4{0.0} : w - Vec4{0, 0, 0, 2.0 * kNearPlane};
+  return transpose(Mat4{crop(u, tile.x, tile.width, view.width), crop(v, tile.y, tile.height, view.height), z, w});
+}
+
+/// Scale (xy) and offset (zw) from the tile's window coordinates to the slope of the pixel's ray against the view direction.
+glm::vec4 pixelToRay(const View& view, const Tile& tile) {
+  if (view.orthographic) return glm::vec4(0.0f);
+  const double sx = 2.0 * view.halfWidth / view.width, sy = 2.0 * view.halfHeight / view.height;
+  return {sx, sy, tile.x * sx - view.halfWidth, tile.y * sy - view.halfHeight};
+}
+
+ShaderOptions shaderOptions(const RenderPlan& plan) {
+  ShaderOptions options;
+  for (const ShaderDefine& define : plan.defines) options.defines[define.name] = define.value;
+  options.standsFor["lookup.glsl"] = plan.lookup.shader;
+  options.extensions = {plan.ordering};
+  return options;
+}
+
+class KBufferRenderer final : public Renderer {
+ public:
+  KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
+      : plan_(plan),
+        insert_(programs_.get("faces.vert", "kbuffer.frag", shaderOptions(plan))),
+        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", shaderOptions(plan))) {
+    {
+      const ScopedStage timer(stages, "table");
+      textures_.emplace(prepared, plan, progress);
+    }
+    const ScopedStage timer(stages, "upload_mesh");
+    mesh_.emplace(prepared);
+    glFinish();
+  }
+
+  Image draw(const View& view, const FaceOrder& order, StageTimes& stages) override {
+    makeTargets(std::min(plan_.tileWidth, view.width), std::min(plan_.tileHeight, view.height));
+    {
+      const ScopedStage timer(stages, "upload");
+      mesh_->setOrder(order);
+      glFinish();
+    }
+    Image image{view.width, view.height, {}};
+    image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+    for (const Tile& tile : tilesOf(view, plan_)) drawTile(view, tile, image, stages);
+    return image;
+  }
+
+  std::size_t tileCount(const View& view) const override { return tilesOf(view, plan_).size(); }
+
+ private:
+  void makeTargets(int width, int height) {
+    if (framebuffer_ && framebuffer_->width() == width && framebuffer_->height() == height) return;
+    framebuffer_.reset();
+    targets_.clear();
+    for (int i = 0; i <= plan_.entryTargets; ++i)
+      targets_.push_back(Texture::image2D(i == 0 ? "colour" : "k-buffer " + std::to_string(i), GL_RGBA32F, width, height));
+    framebuffer_.emplace("k-buffer", Framebuffer::Targets(targets_.begin(), targets_.end()));
+  }
+
+  void drawTile(const View& view, const Tile& tile, Image& image, StageTimes& stages) {
+    {
+      const ScopedStage timer(stages, "draw");
+      beginTile(tile);
+      setUniforms(insert_, view, tile);
+      mesh_->draw();
+      glFinish();
+    }
+    {
+      const ScopedStage timer(stages, "flush");
+      setUniforms(flush_, view, tile);
+      emptyArray_.bind();
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+      glFinish();
+    }
+    checkGl("drawing");
+    const ScopedStage timer(stages, "readback");
+    readTile(tile, image);
+  }
+
+  void beginTile(const Tile& tile) {
+    framebuffer_->bind();
+    glViewport(0, 0, tile.width, tile.height);
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(capability);
+    framebuffer_->clear(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+    for (int i = 1; i <= plan_.entryTargets; ++i)
+      framebuffer_->clear(i, std::array{0.0f, kEmptyDistance, 0.0f, kEmptyDistance});
+  }
+
+  void setUniforms(const Program& program, const View& view, const Tile& tile) const {
+    program.use();
+    program.set("toClip", glm::mat4(clipMatrix(view, tile)));
+    program.set("forward", glm::vec3(view.forward));
+    program.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
+    program.set("pixelToRay", pixelToRay(view, tile));
+    program.set("terminalOpacity", std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity));
+    textures_->bind(program);
+  }
+
+  /// Into the picture's rows, which go from the top down.
+  void readTile(const Tile& tile, Image& image) const {
+    const std::vector<float> pixels = framebuffer_->readFloats(0);
+    for (int row = 0; row < tile.height; ++row) {
+      const auto source = std::size_t{4} * static_cast<std::size_t>(row) * static_cast<std::size_t>(framebuffer_->width());
+      std::memcpy(image.pixel(tile.x, image.height - 1 - (tile.y + row)), &pixels[source],
+                  4 * sizeof(float) * static_cast<std::size_t>(tile.width));
+    }
+  }
+
+  RenderPlan plan_;
+  ProgramCache programs_;
+  const Program& insert_;
+  const Program& flush_;
+  VertexArray emptyArray_{"no vertices"};
+  std::optional<LookupTextures> textures_;
+  std::optional<MeshBuffers> mesh_;
+  std::vector<Texture> targets_;
+  std::optional<Framebuffer> framebuffer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                              const Progress& progress) {
+  return std::make_unique<KBufferRenderer>(prepared, plan, stages, progress);
+}
+
+Capabilities capabilitiesOf(const Device& device) {
+  const Limits limit = limits();
+  Capabilities capabilities;
+  capabilities.hasExtension = [&device](const std::string& name) { return device.hasExtension(name); };
+  capabilities.maximumDrawBuffers = limit.drawBuffers;
+  capabilities.maximumTextureSize = std::min({limit.textureSize, limit.viewportWidth, limit.viewportHeight});
+  capabilities.maximum3dTextureSize = limit.texture3dSize;
+  return capabilities;
+}
+
+ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, view.forward}; }
+
+}  // namespace havs

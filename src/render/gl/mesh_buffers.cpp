@@ -1,0 +1,92 @@
+#include "render/gl/mesh_buffers.h"
+
+#include <array>
+
+#include "core/parallel.h"
+
+namespace havs {
+namespace {
+
+using Triangle = std::array<Index, 3>;
+struct Vertex {
+  float x, y, z, scalar;
+};
+
+constexpr GLuint kFaceScalarsBinding = 0, kFaceOrderBinding = 1;  // as in kbuffer.frag
+
+/// Numbers the points of boundary faces from `first` on.
+std::vector<Index> numberBoundaryCopies(const Faces& faces, std::size_t pointCount, std::vector<Index>& copied) {
+  std::vector<Index> copy(pointCount, kNoIndex);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!faces.isBoundary(f)) continue;
+    for (const Index p : faces.vertices[f])
+      if (copy[p] == kNoIndex) {
+        copy[p] = static_cast<Index>(pointCount + copied.size());
+        copied.push_back(p);
+      }
+  }
+  return copy;
+}
+
+std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared) {
+  std::vector<std::array<float, 2>> behind(prepared.faces.size());
+  parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
+    const auto [in, out] = prepared.faces.cells[f];
+    behind[f] = {prepared.scalars[in], out == kNoIndex ? 0.0f : prepared.scalars[out]};
+  });
+  return behind;
+}
+
+}  // namespace
+
+MeshBuffers::MeshBuffers(const PreparedScene& prepared)
+    : faces_(prepared.faces), indices_("face indices", prepared.faces.size() * sizeof(Triangle)), array_("faces") {
+  uploadVertices(prepared);
+  array_.attribute(0, *vertices_, 4, GL_FLOAT, sizeof(Vertex));
+  array_.elements(indices_);
+  if (prepared.facts().cellData) {
+    cellScalars_ = Buffer::of("scalars behind faces", scalarsBehindFaces(prepared));
+    order_.emplace("face order", prepared.faces.size() * sizeof(Index));
+  }
+}
+
+void MeshBuffers::uploadVertices(const PreparedScene& prepared) {
+  const bool pointData = !prepared.facts().cellData;
+  const std::size_t pointCount = prepared.points.size();
+  std::vector<Index> copied;
+  boundaryCopy_ = numberBoundaryCopies(faces_, pointCount, copied);
+  firstBoundaryVertex_ = static_cast<int>(pointCount);
+
+  std::vector<Vertex> vertices(pointCount + copied.size());
+  parallelFor(0, vertices.size(), 16384, [&](std::size_t i) {
+    const std::size_t p = i < pointCount ? i : copied[i - pointCount];
+    const Vec3& q = prepared.points[p];
+    vertices[i] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
+                   pointData ? prepared.scalars[p] : 0.0f};
+  });
+  vertices_ = Buffer::of("points", vertices);
+}
+
+void MeshBuffers::setOrder(const FaceOrder& order) {
+  indices_.fill<Triangle>([&](std::span<Triangle> triangles) {
+    parallelFor(0, order.faces.size(), 16384, [&](std::size_t i) {
+      const Index f = order.faces[i];
+      Triangle corners = faces_.vertices[f];
+      if (faces_.isBoundary(f))
+        for (Index& corner : corners) corner = boundaryCopy_[corner];
+      triangles[i] = corners;
+    });
+  });
+  if (order_) order_->upload(std::span(order.faces));
+}
+
+void MeshBuffers::draw() const {
+  array_.bind();
+  if (cellScalars_) {
+    cellScalars_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceScalarsBinding);
+    order_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceOrderBinding);
+  }
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * faces_.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace havs

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+
+#include "gl/buffer.h"
+#include "gl/vertex_array.h"
+#include "render/prepared_scene.h"
+#include "sort/face_order.h"
+
+namespace havs {
+
+/// The mesh in the memory of OpenGL: its points once, its faces anew in each picture's order.
+/// Points of boundary faces are there a second time, behind all others, so that the vertex shader can tell such faces by their vertex numbers.
+class MeshBuffers {
+ public:
+  explicit MeshBuffers(const PreparedScene& prepared);
+
+  /// Writes the indices of the faces in `order`, in parallel.
+  void setOrder(const FaceOrder& order);
+  /// Draws all faces in that order.
+  void draw() const;
+
+  /// Number of the first vertex that is a copy for boundary faces.
+  int firstBoundaryVertex() const { return firstBoundaryVertex_; }
+
+ private:
+  void uploadVertices(const PreparedScene& prepared);
+
+  const Faces& faces_;
+  std::vector<Index> boundaryCopy_;  ///< of each point; kNoIndex where it has none
+  int firstBoundaryVertex_ = 0;
+  std::optional<Buffer> vertices_;
+  Buffer indices_;
+  std::optional<Buffer> cellScalars_;  ///< cell data: behind each face, seen from its front and from its back
+  std::optional<Buffer> order_;        ///< cell data: the face that each primitive is
+  VertexArray array_;
+};
+
+}  // namespace havs

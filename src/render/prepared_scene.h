@@ -1,0 +1,45 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/stage_times.h"
+#include "mesh/defects.h"
+#include "mesh/faces.h"
+#include "mesh/local_frame.h"
+#include "mesh/scalar_field.h"
+#include "mesh/tet_mesh.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+#include "transfer/extinction_curve.h"
+
+namespace havs {
+
+/// A scene's data made ready to be drawn by any renderer: mended, normalised, with faces.
+struct PreparedScene {
+  TetMesh mesh;                 ///< without fields; points in mesh units
+  std::vector<Defect> defects;  ///< of the mesh as read
+  std::vector<std::string> notes;
+  ScalarField field;            ///< without values; they are in `scalars`
+  LocalFrame frame;
+  std::vector<Vec3> points;     ///< local frame
+  double longestEdge = 0;       ///< local frame
+  Faces faces;
+  ExtinctionCurve curve;
+  std::string transferFunction;
+  OpacityMeaning meaning = OpacityMeaning::perUnit;
+  std::vector<float> scalars;   ///< normalised to the domain, [0, 1]; one a point or one a cell
+
+  SceneFacts facts() const { return {field.centering == Centering::cell, !curve.opaque.empty()}; }
+};
+
+/// Reads and prepares. Stages timed: read, prepare, faces. Throws Error{input} for anything wrong with the scene's files and names.
+PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progress& progress = {});
+
+/// Prepares a mesh that is in memory already (tests, studies).
+PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages);
+
+/// Whether a point of the local frame lies in a cell, its boundary included. Parallel.
+bool insideMesh(const PreparedScene& prepared, const Vec3& point);
+
+}  // namespace havs

@@ -1,0 +1,97 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+
+namespace havs {
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void checkCamera(const Camera& camera) {
+  auto check = [](bool good, const char* what, const char* tryThis) {
+    if (!good) failInput(what, "camera", tryThis);
+  };
+  check(std::isfinite(camera.azimuth) && std::isfinite(camera.elevation), "azimuth or elevation is not a finite number",
+        "give degrees");
+  check(std::isfinite(camera.zoom) && camera.zoom > 0, "zoom must be greater than 0", "1 shows the whole mesh");
+  check(camera.fieldOfView > 0 && camera.fieldOfView < 180, "the field of view must lie between 0 and 180 degrees",
+        "30 is the default");
+  for (const auto* vector : {&camera.eye, &camera.target, &camera.up})
+    check(!*vector || isFinite(**vector), "eye, target or up is not finite", "give three numbers");
+  check(!camera.up || length(*camera.up) > 0, "up has no length", "[0, 1, 0] is the default");
+  check(!camera.viewHeight || (std::isfinite(*camera.viewHeight) && *camera.viewHeight > 0),
+        "the view height must be greater than 0", "give it in mesh units");
+}
+
+/// The coordinate axis that lies most across `direction`.
+Vec3 axisAcross(const Vec3& direction) {
+  const Vec3 a = abs(direction);
+  if (a.x <= a.y && a.x <= a.z) return {1, 0, 0};
+  return a.y <= a.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
+
+/// Where the camera stands and which way is up, in the local frame.
+struct Stand {
+  Vec3 eye, target, up;
+};
+
+Stand standOf(const Camera& camera, const LocalFrame& frame, double fittedDistance) {
+  Stand stand;
+  stand.target = camera.target ? frame.toLocal(*camera.target) : Vec3{0};
+  const double az = camera.azimuth * kRadiansPerDegree, el = camera.elevation * kRadiansPerDegree;
+  if (camera.eye) {
+    stand.eye = frame.toLocal(*camera.eye);
+    stand.up = camera.up.value_or(Vec3{0, 1, 0});
+  } else {
+    const Vec3 outward{std::sin(az) * std::cos(el), std::sin(el), std::cos(az) * std::cos(el)};
+    stand.eye = stand.target + fittedDistance * outward;
+    // The way the eye moves as elevation grows: +y's projection, and defined at the poles too.
+    stand.up = camera.up.value_or(Vec3{-std::sin(az) * std::sin(el), std::cos(el), -std::cos(az) * std::sin(el)});
+  }
+  return stand;
+}
+
+}  // namespace
+
+View makeView(const Camera& camera, const LocalFrame& frame, int width, int height) {
+  checkCamera(camera);
+  View view;
+  view.orthographic = camera.projection == Projection::orthographic;
+  view.width = width;
+  view.height = height;
+  const double aspect = static_cast<double>(width) / height;
+
+  const double tangent = std::tan(0.5 * camera.fieldOfView * kRadiansPerDegree);
+  const double fittedAngle = std::atan(tangent * std::min(1.0, aspect));
+  const Stand stand = standOf(camera, frame, 1.0 / std::sin(fittedAngle));
+
+  const Vec3 toTarget = stand.target - stand.eye;
+  const double distance = length(toTarget);
+  if (!(distance > 0) || !std::isfinite(distance))
+    failInput("eye and target are the same point", "camera", "move one of them");
+  view.forward = toTarget / distance;
+  view.eye = stand.eye;
+  view.center = view.orthographic ? stand.target : stand.eye;
+
+  Vec3 across = cross(view.forward, normalize(stand.up));
+  if (length(across) < 1e-9) across = cross(view.forward, axisAcross(view.forward));
+  view.right = normalize(across);
+  view.up = cross(view.right, view.forward);
+
+  if (view.orthographic) {
+    const double fitted = 1.0 / std::min(1.0, aspect);
+    view.halfHeight = (camera.viewHeight ? 0.5 * *camera.viewHeight / frame.radius : fitted) / camera.zoom;
+  } else {
+    view.halfHeight = tangent / camera.zoom;
+  }
+  view.halfWidth = view.halfHeight * aspect;
+  return view;
+}
+
+}  // namespace havs

@@ -1,0 +1,53 @@
+#include "scene/methods.h"
+
+#include "core/error.h"
+#include "core/nearest_name.h"
+
+namespace havs {
+namespace {
+
+template <class Row>
+const Row& find(std::span<const Row> rows, const std::string& name, const char* what) {
+  std::vector<std::string> names;
+  for (const Row& row : rows) {
+    if (row.name == name) return row;
+    names.push_back(row.name);
+  }
+  failInput(std::string("unknown ") + what + " '" + name + "'", "", didYouMean(name, names));
+}
+
+}  // namespace
+
+std::span<const VisibilityMethod> visibilityMethods() {
+  static const std::vector<VisibilityMethod> rows{
+      {"kbuffer", "k nearest fragments of a pixel in render targets (Callahan et al. 2005)",
+       {"GL_EXT_shader_framebuffer_fetch"}, 14},
+  };
+  return rows;
+}
+
+std::span<const Lookup> lookups() {
+  static const std::vector<Lookup> rows{
+      {"3d", "pre-integrated table over front scalar, back scalar and length (the paper's)", "lookup/table_3d.glsl",
+       LookupTable::table3d},
+      {"post", "transfer function at both ends, trapezoid between them (post-classification)", "lookup/post.glsl",
+       LookupTable::curve},
+  };
+  return rows;
+}
+
+std::span<const TableFormat> tableFormats() {
+  static const std::vector<TableFormat> rows{
+      {"rgba32f", "32-bit float, filtered by the texture unit", 16},
+      {"rgba8", "8 bits a channel (the paper's), filtered in the shader", 4},
+  };
+  return rows;
+}
+
+const VisibilityMethod& visibilityMethod(const std::string& name) {
+  return find(visibilityMethods(), name, "visibility method");
+}
+const Lookup& lookup(const std::string& name) { return find(lookups(), name, "lookup"); }
+const TableFormat& tableFormat(const std::string& name) { return find(tableFormats(), name, "table format"); }
+
+}  // namespace havs

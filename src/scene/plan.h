@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scene/methods.h"
+#include "scene/scene.h"
+
+namespace havs {
+
+/// What the machine can do, as far as plans depend on it.
+struct Capabilities {
+  std::function<bool(const std::string&)> hasExtension;
+  int maximumDrawBuffers = 8;
+  int maximumTextureSize = 16384;
+  int maximum3dTextureSize = 512;
+};
+
+/// What is known of the data when the plan is made.
+struct SceneFacts {
+  bool cellData = false;        ///< the scalar belongs to the cells
+  bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
+};
+
+/// A name and value that a shader is compiled with.
+struct ShaderDefine {
+  std::string name;
+  std::string value;
+};
+
+/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions.
+struct RenderPlan {
+  VisibilityMethod visibility;
+  std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order
+  Lookup lookup;
+  TableFormat tableFormat;
+  int tableSize = 0;
+  int k = 0;
+  std::vector<ShaderDefine> defines;
+  int entryTargets = 0;      ///< RGBA32F, two k-buffer entries each, beside the colour target
+  int bytesPerPixel = 0;     ///< of all targets
+  int tileWidth = 0;         ///< the picture is drawn in tiles of at most this size
+  int tileHeight = 0;
+  double earlyTermination = 0;
+  bool cellData = false;
+  bool needsCurveTexture = false;
+};
+
+/// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table size, picture size),
+/// Error{running} when the machine lacks what the method needs.
+RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
+
+/// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
+void checkScene(const Scene& scene);
+
+}  // namespace havs
