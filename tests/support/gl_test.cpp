@@ -13,6 +13,12 @@ void GlTest::SetUp() {
   device_ = makeDevice(GetParam());
 }
 
+void FramebufferFetch::SetUp() {
+  GlTest::SetUp();
+  if (IsSkipped()) return;
+  if (!device_->hasExtension(kFetch.extensions.front())) GTEST_SKIP() << "no framebuffer fetch here";
+}
+
 std::vector<std::string> deviceNames() {
   std::vector<std::string> names;
   for (const DeviceRow& row : deviceRows()) names.push_back(row.name);

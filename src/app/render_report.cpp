@@ -1,0 +1,106 @@
+#include "app/render_report.h"
+
+#include <fmt/format.h>
+
+#include "app/mesh_report.h"
+#include "core/memory.h"
+
+namespace havs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string nameOf(OpacityMeaning meaning) { return meaning == OpacityMeaning::perUnit ? "per_unit" : "extinction"; }
+
+/// What one frame costs once mesh and table stand.
+double frameMilliseconds(const StageTimes& stages) {
+  return stages.median("order") + stages.median("upload") + stages.median("draw") + stages.median("flush");
+}
+
+/// Every stage of a frame, 0 for one that this drawing did without, and whatever else was timed.
+Json stagesAsJson(const StageTimes& stages) {
+  Json json;
+  for (const char* stage : {"read", "faces", "order", "upload", "table", "draw", "flush", "readback", "total"})
+    json[stage] = stages.median(stage);
+  for (const auto& [stage, milliseconds] : stages.medians()) json[stage] = milliseconds;
+  return json;
+}
+
+Json settingsAsJson(const Scene& scene, const RenderReport& report) {
+  Json json;
+  json["transfer_function"] = {{"name", report.transferFunction},
+                               {"opacity", nameOf(report.meaning)},
+                               {"unit_length", report.unitLength},
+                               {"domain", report.domain}};
+  json["camera"] = Json::parse(report.camera);
+  json["size"] = {scene.width, scene.height};
+  json["background"] = scene.background ? Json(*scene.background) : Json();
+  json["visibility"] = scene.visibility;
+  json["k"] = scene.k;
+  json["sort"] = scene.sort;
+  json["lookup"] = scene.lookup;
+  json["table"] = scene.tableSize;
+  json["table_format"] = scene.tableFormat;
+  json["early_termination"] = scene.earlyTermination;
+  json["composite_late"] = scene.compositeLate;
+  json["threads"] = scene.threads;
+  json["repeat"] = scene.repeat;
+  return json;
+}
+
+}  // namespace
+
+Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vector<std::filesystem::path>& outputs) {
+  Json json;
+  json["mesh"] = {{"file", scene.mesh.string()},
+                  {"points", report.points},
+                  {"cells", report.cells},
+                  {"faces", report.faces},
+                  {"boundary_faces", report.boundaryFaces}};
+  json["field"] = {{"name", report.field}, {"centering", report.centering}, {"range", report.fieldRange}};
+  json["settings"] = settingsAsJson(scene, report);
+  json["device"] = {{"name", scene.device},
+                    {"renderer", report.renderer},
+                    {"version", report.glVersion},
+                    {"ordering", report.ordering},
+                    {"bytes_per_pixel", report.bytesPerPixel},
+                    {"target_bytes", report.targetBytes},
+                    {"tiles", report.tiles}};
+  json["cycles"] = report.cycles;
+  json["stages_ms"] = stagesAsJson(report.stages);
+  json["frame_ms"] = frameMilliseconds(report.stages);
+  json["cpu_ms"] = report.cpuMilliseconds;
+  json["peak_memory_bytes"] = peakMemoryBytes();
+  json["defects"] = defectsAsJson(report.defects);
+  json["notes"] = report.notes;
+  json["outputs"] = Json::array();
+  for (const auto& output : outputs) json["outputs"].push_back(output.string());
+  return json;
+}
+
+std::string reportAsText(const Scene& scene, const RenderReport& report,
+                         const std::vector<std::filesystem::path>& outputs) {
+  auto ms = [&](const char* stage) { return report.stages.median(stage); };
+  std::string text;
+  auto line = [&](const char* label, const std::string& content) { text += fmt::format("{:<9}{}\n", label, content); };
+  line("mesh", fmt::format("{}: {} points, {} tetrahedra, {} faces", scene.mesh.filename().string(), report.points,
+                           report.cells, report.faces));
+  line("field", fmt::format("{} ({} data), {:.6g} to {:.6g}", report.field, report.centering, report.fieldRange[0],
+                            report.fieldRange[1]));
+  line("transfer",
+       fmt::format("{}, {:.6g} to {:.6g}, opacity {} of {:.6g} mesh units", report.transferFunction, report.domain[0],
+                   report.domain[1], report.meaning == OpacityMeaning::perUnit ? "shown by a slab" : "as extinction",
+                   report.unitLength));
+  line("method", fmt::format("{}, k {}, {} order, lookup {} ({}^3 {}), {} ({})", scene.visibility, scene.k, scene.sort,
+                             scene.lookup, scene.tableSize, scene.tableFormat, scene.device, report.renderer));
+  line("time", fmt::format("{:.0f} ms in all: read {:.0f}, faces {:.0f}, table {:.0f}; a frame {:.0f}: order {:.0f}, "
+                           "upload {:.0f}, draw {:.0f}, flush {:.0f}",
+                           ms("total"), ms("read"), ms("faces"), ms("table"), frameMilliseconds(report.stages),
+                           ms("order"), ms("upload"), ms("draw"), ms("flush")));
+  line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
+  for (const std::string& note : report.notes) line("note", note);
+  for (const auto& output : outputs) line("picture", output.string());
+  return text;
+}
+
+}  // namespace havs

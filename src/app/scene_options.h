@@ -1,0 +1,30 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace havs {
+
+/// The options of a scene as typed; unset ones leave the default (or what --paper says).
+struct SceneOptions {
+  std::string mesh, plot3dSolution;
+  std::optional<std::string> tetgenSwitches, field, transferFunction, domain, size, camera, background;
+  std::optional<std::string> device, visibility, sort, lookup, tableFormat;
+  std::string projection = "perspective";
+  std::optional<double> unitLength, earlyTermination;
+  std::optional<int> k, tableSize, threads, repeat;
+  bool compositeLate = false;
+  bool paper = false;
+};
+
+/// Adds INPUT and all options of a scene to a command. The help of an option that names a row of a table lists the
+/// table's rows.
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+
+/// The scene that was asked for. Throws Error{input} for a value out of range, and for a name that its table does not
+/// know.
+Scene makeScene(const SceneOptions& options);
+
+}  // namespace havs

@@ -1,0 +1,157 @@
+// PNG through libpng: 8 or 16 bits a channel; RGB over a background, straight RGBA without one.
+#include <png.h>
+
+#include <bit>
+#include <cmath>
+#include <csetjmp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+
+#include "core/error.h"
+#include "image/background.h"
+#include "image/formats.h"
+
+namespace havs {
+namespace fs = std::filesystem;
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Where libpng's errors go: kept as text, then back to the caller's setjmp.
+struct PngMessages {
+  std::string error = "unknown reason";
+};
+void onError(png_structp png, png_const_charp message) {
+  static_cast<PngMessages*>(png_get_error_ptr(png))->error = message;
+  png_longjmp(png, 1);
+}
+void onWarning(png_structp, png_const_charp) {}
+
+/// round(most * value), value clamped to [0, 1]; 0 for a value that is not a number.
+std::uint16_t quantised(float value, double most) {
+  if (!(value > 0)) return 0;
+  return static_cast<std::uint16_t>(std::lround(most * std::min(1.0, static_cast<double>(value))));
+}
+
+/// One row as PNG holds it (16 bits: most significant byte first).
+void packRow(const Image& image, int y, const ImageFileOptions& options, std::vector<png_byte>& row) {
+  const bool wide = options.pngBits == 16;
+  const double most = wide ? 65535 : 255;
+  row.clear();
+  auto put = [&](float value) {
+    const std::uint16_t number = quantised(value, most);
+    if (wide) row.push_back(static_cast<png_byte>(number >> 8));
+    row.push_back(static_cast<png_byte>(number & 0xff));
+  };
+  for (int x = 0; x < image.width; ++x) {
+    if (options.background) {
+      for (float value : over(image.pixel(x, y), *options.background)) put(value);
+    } else {
+      for (float value : straight(image.pixel(x, y))) put(value);
+    }
+  }
+}
+
+struct Writer {
+  PngMessages messages;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &messages, onError, onWarning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+/// False when libpng gave up. Holds nothing that a longjmp would leave behind: `row` belongs to the caller.
+bool writeRows(Writer& writer, std::FILE* file, const Image& image, const ImageFileOptions& options,
+               std::vector<png_byte>& row) {
+  if (setjmp(png_jmpbuf(writer.png))) return false;
+  png_init_io(writer.png, file);
+  png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  const int color = options.background ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA;
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+               options.pngBits, color, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(writer.png, writer.info);
+  for (int y = 0; y < image.height; ++y) {
+    packRow(image, y, options, row);
+    png_write_row(writer.png, row.data());
+  }
+  png_write_end(writer.png, writer.info);
+  return true;
+}
+
+}  // namespace
+
+void writePng(const Image& image, const fs::path& file, const ImageFileOptions& options) {
+  if (options.pngBits != 8 && options.pngBits != 16)
+    failInput("PNG has 8 or 16 bits a channel, not " + std::to_string(options.pngBits), file.string());
+  FilePointer stream(std::fopen(file.c_str(), "wb"));
+  Writer writer;
+  std::vector<png_byte> row;
+  const bool started = stream && writer.info;
+  const bool written = started && writeRows(writer, stream.get(), image, options, row);
+  const bool closed = stream && std::fclose(stream.release()) == 0;
+  if (!written || !closed)
+    failRunning("writing the image failed: " + writer.messages.error, file.string(), "is the disk full?");
+}
+
+namespace {
+
+struct Reader {
+  PngMessages messages;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &messages, onError, onWarning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+/// After it, rows come as RGBA, 16 bits a channel in the machine's byte order.
+bool readHeader(Reader& reader, std::FILE* file) {
+  if (setjmp(png_jmpbuf(reader.png))) return false;
+  png_init_io(reader.png, file);
+  png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  png_read_info(reader.png, reader.info);
+  png_set_expand_16(reader.png);
+  png_set_gray_to_rgb(reader.png);
+  png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
+  if constexpr (std::endian::native == std::endian::little) png_set_swap(reader.png);
+  png_read_update_info(reader.png, reader.info);
+  return true;
+}
+
+bool readRows(Reader& reader, Image& image, std::vector<std::uint16_t>& row) {
+  if (setjmp(png_jmpbuf(reader.png))) return false;
+  for (int y = 0; y < image.height; ++y) {
+    png_read_row(reader.png, reinterpret_cast<png_bytep>(row.data()), nullptr);
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint16_t* from = row.data() + 4 * static_cast<std::size_t>(x);
+      float* to = image.pixel(x, y);
+      to[3] = static_cast<float>(from[3] / 65535.0);
+      for (int c = 0; c < 3; ++c) to[c] = static_cast<float>(from[c] / 65535.0 * (from[3] / 65535.0));
+    }
+  }
+  png_read_end(reader.png, nullptr);
+  return true;
+}
+
+}  // namespace
+
+Image readPng(const fs::path& file) {
+  FilePointer stream(std::fopen(file.c_str(), "rb"));
+  if (!stream) failInput("cannot be read", file.string());
+  Reader reader;
+  if (!reader.info) throw std::bad_alloc();
+  if (!readHeader(reader, stream.get())) failInput("not a PNG file: " + reader.messages.error, file.string());
+  if (png_get_interlace_type(reader.png, reader.info) != PNG_INTERLACE_NONE)
+    failInput("interlaced PNG files are not read", file.string(), "save it without interlacing");
+  constexpr double kMostThatZipShrinks = 1100;  // deflate packs 1032 bytes into one at best
+  constexpr double kLeastBytesPerPixel = 1.0 / 8;
+  Image image = emptyImage(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info),
+                           fs::file_size(file), kLeastBytesPerPixel, kMostThatZipShrinks, file);
+  std::vector<std::uint16_t> row(4 * static_cast<std::size_t>(image.width));
+  if (!readRows(reader, image, row))
+    failInput("broken PNG file: " + reader.messages.error, file.string(), "is it cut off?");
+  return image;
+}
+
+}  // namespace havs

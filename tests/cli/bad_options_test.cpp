@@ -1,0 +1,84 @@
+// Command lines that are wrong whatever the mesh.
+#include "cli/refused.h"
+
+namespace havs::test {
+namespace {
+
+class BadOption : public RefusedRun {
+ protected:
+  BadOption() { std::filesystem::create_directory(folder / "folder.png"); }
+};
+
+/// havs render cube.node -o a.png, and these.
+std::vector<std::string> rendering(std::vector<std::string> options) {
+  options.insert(options.begin(), {"render", "cube.node", "-o", "a.png"});
+  return options;
+}
+
+TEST_P(BadOption, IsRefused) { expectRefused(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(CommandLine, BadOption,
+                         testing::Values(Refused{"NoCommand", {}, "--help"},
+                                         Refused{"UnknownCommand", {"rendr", "cube.node"}, "'render'"},
+                                         Refused{"NoInput", {"render"}, "INPUT"},
+                                         Refused{"UnknownOption", rendering({"--siez", "64x64"}), "'--size'"},
+                                         Refused{"UnknownOptionWithoutInput", {"render", "--siez=64x64"}, "'--size'"},
+                                         Refused{"TwoInputs", {"render", "cube.node", "cube.ele"}, "cube.ele"},
+                                         Refused{"OptionWithoutValue", {"render", "cube.node", "--k"}, "--k"},
+                                         Refused{"MeshWithoutOutput", {"mesh", "cube.node"}, "--output"}),
+                         nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
+    Output, BadOption,
+    testing::Values(Refused{"MissingFolder", {"render", "cube.node", "-o", "no/a.png"}, "folder does not exist"},
+                    Refused{"Unwritable", {"render", "cube.node", "-o", "/proc/a.png"}, "/proc/a.png"},
+                    Refused{"IsADirectory", {"render", "cube.node", "-o", "folder.png"}, "directory"},
+                    Refused{"UnknownExtension", {"render", "cube.node", "-o", "a.gif"}, ".exr"},
+                    Refused{"SecondOfTwo", {"render", "cube.node", "-o", "a.png", "-o", "a.gif"}, "a.gif"},
+                    Refused{"MeshExtension", {"mesh", "cube.node", "-o", "a.stl"}, ".vtu"},
+                    Refused{"MeshFolder", {"mesh", "cube.node", "-o", "no/a.node"}, "folder does not exist"},
+                    Refused{"PngBits", rendering({"--png-bits", "12"}), "8 or 16"}),
+    nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
+    Picture, BadOption,
+    testing::Values(Refused{"SizeZero", rendering({"--size", "0x64"}), "width"},
+                    Refused{"SizeNegative", rendering({"--size", "-64x64"}), "width"},
+                    Refused{"SizeOfAMillion", rendering({"--size", "1000000x1000000"}), "width"},
+                    Refused{"SizeBeyondAnyInteger", rendering({"--size", "99999999999x1"}), "--size"},
+                    Refused{"SizeWithoutHeight", rendering({"--size", "64"}), "WIDTHxHEIGHT"},
+                    Refused{"SizeWithMore", rendering({"--size", "64x64x64"}), "WIDTHxHEIGHT"},
+                    Refused{"CameraNaN", rendering({"--camera", "nan,20"}), "camera"},
+                    Refused{"CameraBrokenJson", rendering({"--camera", R"({"azimuth": })"}), "camera"},
+                    Refused{"CameraUnknownKey", rendering({"--camera", R"({"azimut": 1})"}), "azimuth"},
+                    Refused{"CameraZoomZero", rendering({"--camera", "0,0,0"}), "zoom"},
+                    Refused{"CameraText", rendering({"--camera", "left"}), "left"},
+                    Refused{"Projection", rendering({"--projection", "orthografic"}), "'orthographic'"},
+                    Refused{"Background", rendering({"--background", "whte"}), "whte"}),
+    nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
+    Method, BadOption,
+    testing::Values(Refused{"Device", rendering({"--device", "osmsa"}), "'osmesa'"},
+                    Refused{"Sort", rendering({"--sort", "centriod"}), "'centroid'"},
+                    Refused{"Lookup", rendering({"--lookup", "pst"}), "'post'"},
+                    Refused{"Visibility", rendering({"--visibility", "kbufer"}), "'kbuffer'"},
+                    Refused{"TableFormat", rendering({"--table-format", "rgba9"}), "'rgba8'"},
+                    Refused{"KZero", rendering({"--k", "0"}), "between 1 and 14"},
+                    Refused{"KFifteen", rendering({"--k", "15"}), "between 1 and 14"},
+                    Refused{"KText", rendering({"--k", "six"}), "--k"},
+                    Refused{"TableOne", rendering({"--table", "1"}), "between 2 and 512"},
+                    Refused{"TableOfAMillion", rendering({"--table", "1000000"}), "between 2 and 512"},
+                    Refused{"EarlyTermination", rendering({"--early-termination", "1.5"}), "between 0 and 1"},
+                    Refused{"EarlyTerminationNaN", rendering({"--early-termination", "nan"}), "between 0 and 1"},
+                    Refused{"Threads", rendering({"--threads", "-1"}), "--threads"},
+                    Refused{"Repeat", rendering({"--repeat", "0"}), "repeat"},
+                    Refused{"UnitLengthZero", rendering({"--unit-length", "0"}), "unit length"},
+                    Refused{"UnitLengthNaN", rendering({"--unit-length", "nan"}), "unit length"},
+                    Refused{"DomainReversed", rendering({"--domain", "2,1"}), "domain"},
+                    Refused{"DomainInfinite", rendering({"--domain", "0,inf"}), "finite"},
+                    Refused{"DomainOneNumber", rendering({"--domain", "2"}), "LOW,HIGH"}),
+    nameOfCase);
+
+}  // namespace
+}  // namespace havs::test

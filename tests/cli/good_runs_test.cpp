@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/run_havs.h"
+#include "cli/sample_files.h"
+#include "image/image.h"
+
+namespace havs::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Render : public testing::Test {
+ protected:
+  Render() { writeTetgenMesh(folder, "cube", kCubeNode, kCubeEle); }
+
+  /// havs render cube.node, small and quick, and these; must succeed without a word on standard error.
+  std::string render(std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "cube.node", "--size", "48x32", "--table", "16"});
+    const Run run = runHavs(options, folder.path());
+    EXPECT_EQ(run.status, 0) << run.error;
+    EXPECT_EQ(run.error, "");
+    return run.output;
+  }
+
+  TemporaryFolder folder;
+};
+
+std::vector<std::string> keysOf(const nlohmann::json& object) {
+  std::vector<std::string> keys;
+  for (const auto& item : object.items()) keys.push_back(item.key());
+  return keys;
+}
+
+TEST_F(Render, JsonHoldsEveryKey) {
+  const auto json = nlohmann::json::parse(render({"-o", "a.png", "--json"}));
+  EXPECT_THAT(keysOf(json),
+              testing::UnorderedElementsAre("mesh", "field", "settings", "device", "cycles", "stages_ms", "frame_ms",
+                                            "cpu_ms", "peak_memory_bytes", "defects", "notes", "outputs"));
+  EXPECT_THAT(keysOf(json["stages_ms"]), testing::IsSupersetOf({"read", "faces", "order", "upload", "table", "draw",
+                                                                "flush", "readback", "total"}));
+  EXPECT_THAT(keysOf(json["settings"]),
+              testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
+                                            "sort", "lookup", "table", "table_format", "early_termination",
+                                            "composite_late", "threads", "repeat"));
+}
+
+TEST_F(Render, JsonTellsWhatWasDrawn) {
+  const auto json = nlohmann::json::parse(
+      render({"-o", "a.png", "--json", "--k", "3", "--sort", "centroid", "--unit-length", "0.5"}));
+  EXPECT_EQ(json["mesh"]["points"], 8);
+  EXPECT_EQ(json["mesh"]["cells"], 6);
+  EXPECT_EQ(json["mesh"]["faces"], 18);           // 6 around the diagonal, 12 on the surface
+  EXPECT_EQ(json["mesh"]["boundary_faces"], 12);  // two a side
+  EXPECT_EQ(json["field"]["centering"], "point");
+  EXPECT_EQ(json["field"]["range"], (nlohmann::json{0.0, 3.0}));
+  EXPECT_EQ(json["settings"]["k"], 3);
+  EXPECT_EQ(json["settings"]["sort"], "centroid");
+  EXPECT_EQ(json["settings"]["size"], (nlohmann::json{48, 32}));
+  EXPECT_EQ(json["settings"]["transfer_function"]["unit_length"], 0.5);
+  EXPECT_EQ(json["settings"]["transfer_function"]["domain"], (nlohmann::json{0.0, 3.0}));
+  EXPECT_EQ(json["device"]["name"], "osmesa");
+  EXPECT_EQ(json["outputs"], (nlohmann::json{"a.png"}));
+  EXPECT_GT(json["stages_ms"]["total"], 0);
+  EXPECT_GE(json["stages_ms"]["total"], json["frame_ms"]);
+  EXPECT_GT(json["peak_memory_bytes"], 1 << 20);
+}
+
+TEST_F(Render, CameraOfTheReportDrawsTheSamePicture) {
+  const auto json = nlohmann::json::parse(render({"-o", "a.pfm", "--camera", "70,-10,1.5", "--json"}));
+  render({"-o", "b.pfm", "--camera", json["settings"]["camera"].dump()});
+  EXPECT_EQ(contentOf(folder / "a.pfm"), contentOf(folder / "b.pfm"));
+}
+
+TEST_F(Render, PaperPresetAndOptionsAboveIt) {
+  const auto json = nlohmann::json::parse(render({"--paper", "--k", "8", "--json"}));
+  EXPECT_EQ(json["settings"]["sort"], "centroid");
+  EXPECT_EQ(json["settings"]["table_format"], "rgba8");
+  EXPECT_EQ(json["settings"]["early_termination"], 0.99);
+  EXPECT_EQ(json["settings"]["composite_late"], true);
+  EXPECT_EQ(json["settings"]["k"], 8);
+}
+
+TEST_F(Render, EveryFormatHoldsThePicture) {
+  render({"-o", "a.exr", "-o", "a.png", "-o", "a.pfm", "--background", "white", "--png-bits", "16"});
+  const Image exr = readImage(folder / "a.exr");
+  const Image png = readImage(folder / "a.png");
+  const Image pfm = readImage(folder / "a.pfm");
+  ASSERT_EQ(exr.width, 48);
+  ASSERT_EQ(exr.height, 32);
+  constexpr float kHalfStep = 0.5f / 65535 + 1e-6f;  // of 16 bits, and float's rounding
+  float mostOpaque = 0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 48; ++x) {
+      mostOpaque = std::max(mostOpaque, exr.pixel(x, y)[3]);
+      for (int c = 0; c < 3; ++c) {
+        const float overWhite = exr.pixel(x, y)[c] + 1 - exr.pixel(x, y)[3];
+        EXPECT_NEAR(pfm.pixel(x, y)[c], overWhite, 1e-6f) << x << ' ' << y;
+        EXPECT_NEAR(png.pixel(x, y)[c], overWhite, kHalfStep) << x << ' ' << y;
+      }
+    }
+  EXPECT_GT(mostOpaque, 0.01f);         // something is seen
+  EXPECT_EQ(exr.pixel(0, 0)[3], 0.0f);  // and the corner is empty
+}
+
+TEST_F(Render, WithoutBackgroundPngIsTransparent) {
+  render({"-o", "a.png", "--background", "none"});
+  EXPECT_EQ(readImage(folder / "a.png").pixel(0, 0)[3], 0.0f);
+}
+
+TEST_F(Render, RepeatDrawsTheSamePicture) {
+  render({"-o", "a.pfm"});
+  const auto json = nlohmann::json::parse(render({"-o", "b.pfm", "--repeat", "3", "--json"}));
+  EXPECT_EQ(json["settings"]["repeat"], 3);
+  EXPECT_EQ(contentOf(folder / "a.pfm"), contentOf(folder / "b.pfm"));
+}
+
+TEST_F(Render, ThreadsDoNotChangeThePicture) {
+  render({"-o", "a.pfm", "--threads", "1"});
+  render({"-o", "b.pfm", "--threads", "3"});
+  EXPECT_EQ(contentOf(folder / "a.pfm"), contentOf(folder / "b.pfm"));
+}
+
+TEST_F(Render, SummaryNamesMeshFieldAndPicture) {
+  const std::string text = render({"-o", "a.png"});
+  EXPECT_THAT(text, HasSubstr("8 points, 6 tetrahedra"));
+  EXPECT_THAT(text, HasSubstr("(point data), 0 to 3"));
+  EXPECT_THAT(text, HasSubstr("mesh units"));
+  EXPECT_THAT(text, HasSubstr("a.png"));
+}
+
+TEST_F(Render, QuietPrintsNothing) { EXPECT_EQ(render({"-o", "a.png", "--quiet"}), ""); }
+
+TEST_F(Render, NegativeAnglesAndDomains) { render({"--camera", "-30,-20", "--domain", "-1,4.5"}); }
+
+TEST_F(Render, LeavesOnlyThePicture) {
+  const std::size_t before = folder.entries();
+  render({"-o", "a.png"});
+  EXPECT_EQ(folder.entries(), before + 1);
+}
+
+TEST(Help, ListsTheRowsOfEveryTable) {
+  const TemporaryFolder folder;
+  const Run run = runHavs({"render", "--help"}, folder.path());
+  EXPECT_EQ(run.status, 0);
+  for (const char* name :
+       {"osmesa", "egl", "kbuffer", "centroid", "topological", "3d", "post", "rainbow", ".node", "--paper"})
+    EXPECT_THAT(run.output, HasSubstr(name));
+}
+
+TEST(Help, OfTheProgramNamesTheCommands) {
+  const TemporaryFolder folder;
+  const Run run = runHavs({"--help"}, folder.path());
+  EXPECT_EQ(run.status, 0);
+  for (const char* name : {"render", "info", "mesh"}) EXPECT_THAT(run.output, HasSubstr(name));
+}
+
+TEST(Version, IsPrinted) {
+  const TemporaryFolder folder;
+  const Run run = runHavs({"--version"}, folder.path());
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.output, testing::MatchesRegex("havs [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+}  // namespace
+}  // namespace havs::test
