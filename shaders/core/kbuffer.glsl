@@ -31,9 +31,9 @@ struct Segment {
   Mask visible;
 };
 
-CONSTANT Real kEmptyDistance = Real(-3.0e38);
-CONSTANT Real kEmptyLimit = Real(-1.0e38);  // everything below is empty
-CONSTANT Real kLateTolerance = Real(1.0e-6);
+CONSTANT Scalar kEmptyDistance = Scalar(-3.0e38);
+CONSTANT Scalar kEmptyLimit = Scalar(-1.0e38);  // everything below is empty
+CONSTANT Scalar kLateTolerance = Scalar(1.0e-6);
 
 FUNCTION Fragment makeFragment(Real scalar, Real distance, Real kind) {
   Fragment f;
@@ -42,9 +42,9 @@ FUNCTION Fragment makeFragment(Real scalar, Real distance, Real kind) {
   return f;
 }
 
-FUNCTION Fragment emptyFragment() { return makeFragment(Real(0.0), kEmptyDistance, Real(0.0)); }
+FUNCTION Fragment emptyFragment() { return makeFragment(Real(0.0), Real(kEmptyDistance), Real(0.0)); }
 
-FUNCTION Mask isEmpty(Fragment f) { return f.distance < kEmptyLimit; }
+FUNCTION Mask isEmpty(Fragment f) { return f.distance < Real(kEmptyLimit); }
 
 FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
   Fragment f;
@@ -56,7 +56,7 @@ FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
 // `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left, so that the segment it belongs to
 // has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not full.
 FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {
-  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - kLateTolerance);
+  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - Real(kLateTolerance));
 }
 
 // Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first.

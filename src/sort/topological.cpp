@@ -3,8 +3,10 @@
 // the cells in front of it, and write each cell when all of these are written: no cell then comes before one that hides part of
 // it. Every ray leaves the mesh somewhere, so the search starts at cells with a boundary face that rays leave through, near ones
 // first: what a nearer part of a non-convex mesh consists of is written before the search reaches a part behind it.
-// Where cells hide each other in a cycle, the relation met last is ignored and counted.
+// Where cells hide each other in a cycle, the relation across the face that shows smallest is ignored, and counted: every ray
+// that does not pass that face still meets all cells in order.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/parallel.h"
@@ -16,20 +18,37 @@ namespace havs {
 namespace {
 
 constexpr std::size_t kGrain = 8192;
+/// Relations of a cycle that are looked at for the one to cut: keeps the search linear.
+constexpr std::size_t kCutReach = 256;
 
 /// On which side of a face, as oriented by Faces, the eye is.
 enum class Side : std::int8_t { inside = -1, edgeOn = 0, outside = 1 };
 
-/// Outside: a ray through the face passes from cells[1] to cells[0]. Edge-on also where rounding hides the sign: no
-/// pixel can tell the difference.
-Side eyeSide(const Vec3& a, const Vec3& b, const Vec3& c, const ViewPoint& view) {
+/// The face's plane at the eye: `height` is six times the volume of face and eye, positive outside.
+struct EyeHeight {
+  double height;
+  double bound;  ///< of the rounding error
+  Vec3 toEye;
+};
+
+EyeHeight eyeHeight(const Vec3& a, const Vec3& b, const Vec3& c, const ViewPoint& view) {
   const Vec3 ab = b - a, ac = c - a;
   const Vec3 toEye = view.orthographic ? -view.direction : view.eye - a;
-  const double height = dot(cross(ab, ac), toEye);
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();  // of three products and their sums
-  const double bound = kRounding * kRounding * dot(ab, ab) * dot(ac, ac) * dot(toEye, toEye);
-  if (height * height <= bound) return Side::edgeOn;
-  return height > 0 ? Side::outside : Side::inside;
+  return {dot(cross(ab, ac), toEye), kRounding * std::sqrt(dot(ab, ab) * dot(ac, ac) * dot(toEye, toEye)), toEye};
+}
+
+/// Outside: a ray through the face passes from cells[1] to cells[0]. Edge-on also where rounding hides the sign: no
+/// pixel can tell the difference.
+Side eyeSide(const EyeHeight& plane) {
+  if (std::abs(plane.height) <= plane.bound) return Side::edgeOn;
+  return plane.height > 0 ? Side::outside : Side::inside;
+}
+
+/// Grows with the area that the face takes of the picture.
+double footprint(const EyeHeight& plane) {
+  const double distance = length(plane.toEye);  // 1 for orthographic
+  return std::abs(plane.height) / (distance * distance * distance);
 }
 
 class TopologicalSorter final : public FaceSorter {
@@ -40,17 +59,20 @@ class TopologicalSorter final : public FaceSorter {
  private:
   enum class State : std::uint8_t { fresh, open, written };
 
-  void findSides(const ViewPoint& view);
+  void findSides();
   void findEnteredFaces();
-  void findStarts(const ViewPoint& view);
+  void findStarts();
+  EyeHeight eyeHeightOf(Index face) const;
   void writeWithAllInFront(Index start, FaceOrder& order);
+  void cutCycle(Index repeated);
   void writeFaces(Index cell, std::vector<Index>& faces);
 
   SortInput input_;
+  ViewPoint view_;
   std::vector<std::array<Index, 4>> neighbors_;  ///< the cell behind face i of a cell, kNoIndex at the boundary
   std::vector<Index> boundaryFaces_;
   std::vector<Side> sides_;             ///< of the eye, one a face
-  std::vector<std::uint8_t> entered_;   ///< one a cell: bit i where rays enter the cell through its face i
+  std::vector<std::uint8_t> entered_;   ///< one a cell: bit i where rays enter the cell through its face i, bit 4 + i where a cut hides that
   std::vector<State> states_;           ///< one a cell
   std::vector<std::uint8_t> isWritten_; ///< one a face
   std::vector<std::uint32_t> stack_;    ///< 8 * cell + the next of its faces to follow
@@ -75,9 +97,10 @@ TopologicalSorter::TopologicalSorter(const SortInput& input) : input_(input) {
 
 void TopologicalSorter::sort(const ViewPoint& view, FaceOrder& order) {
   const std::size_t cellCount = neighbors_.size();
-  findSides(view);
+  view_ = view;
+  findSides();
   findEnteredFaces();
-  findStarts(view);
+  findStarts();
   states_.assign(cellCount, State::fresh);
   isWritten_.assign(input_.faces->size(), 0);
   order.cycles = 0;
@@ -88,13 +111,14 @@ void TopologicalSorter::sort(const ViewPoint& view, FaceOrder& order) {
   for (std::size_t c = 0; c < cellCount; ++c) writeWithAllInFront(static_cast<Index>(c), order);
 }
 
-void TopologicalSorter::findSides(const ViewPoint& view) {
-  const auto& vertices = input_.faces->vertices;
-  sides_.resize(vertices.size());
-  parallelFor(0, vertices.size(), kGrain, [&](std::size_t f) {
-    const auto& [a, b, c] = vertices[f];
-    sides_[f] = eyeSide(input_.points[a], input_.points[b], input_.points[c], view);
-  });
+EyeHeight TopologicalSorter::eyeHeightOf(Index face) const {
+  const auto& [a, b, c] = input_.faces->vertices[face];
+  return eyeHeight(input_.points[a], input_.points[b], input_.points[c], view_);
+}
+
+void TopologicalSorter::findSides() {
+  sides_.resize(input_.faces->size());
+  parallelFor(0, sides_.size(), kGrain, [&](std::size_t f) { sides_[f] = eyeSide(eyeHeightOf(static_cast<Index>(f))); });
 }
 
 void TopologicalSorter::findEnteredFaces() {
@@ -112,8 +136,8 @@ void TopologicalSorter::findEnteredFaces() {
 }
 
 /// The boundary faces that rays leave through, near ones first.
-void TopologicalSorter::findStarts(const ViewPoint& view) {
-  const DistanceKey key(view);
+void TopologicalSorter::findStarts() {
+  const DistanceKey key(view_);
   leftFaces_.clear();
   for (const Index face : boundaryFaces_) {
     if (sides_[face] != Side::inside) continue;
@@ -140,14 +164,36 @@ void TopologicalSorter::writeWithAllInFront(Index start, FaceOrder& order) {
     }
     ++stack_.back();
     const Index inFront = neighbors_[cell][next];
-    if (((entered_[cell] >> next) & 1u) == 0 || inFront == kNoIndex) continue;
+    if (((entered_[cell] >> next) & 0x11u) != 1u || inFront == kNoIndex) continue;  // not entered there, or cut
     if (states_[inFront] == State::fresh) {
       states_[inFront] = State::open;
       stack_.push_back(8 * inFront);
     } else if (states_[inFront] == State::open) {
       ++order.cycles;
+      cutCycle(inFront);
     }
   }
+}
+
+/// The cells of the stack from `repeated` to the top are each behind the next, and the last is behind `repeated`. Cuts the
+/// relation across the face with the smallest footprint; the cells beyond it leave the stack and will be reached again.
+void TopologicalSorter::cutCycle(Index repeated) {
+  auto followedFace = [&](std::size_t place) { return stack_[place] % 8 - 1; };
+  std::size_t weakest = stack_.size() - 1;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t place = stack_.size(), reach = kCutReach; place-- > 0 && reach > 0; --reach) {
+    const Index cell = stack_[place] / 8;
+    const double area = footprint(eyeHeightOf(input_.faces->ofCell[cell][followedFace(place)]));
+    if (area < smallest) {
+      smallest = area;
+      weakest = place;
+    }
+    if (cell == repeated) break;
+  }
+  const std::uint32_t cut = 0x10u << followedFace(weakest);
+  entered_[stack_[weakest] / 8] = static_cast<std::uint8_t>(entered_[stack_[weakest] / 8] | cut);
+  for (std::size_t place = weakest + 1; place < stack_.size(); ++place) states_[stack_[place] / 8] = State::fresh;
+  stack_.resize(weakest + 1);
 }
 
 /// First the faces that rays enter the cell through, then the others: those they leave it through, and those seen edge-on.

@@ -6,8 +6,8 @@
 
 namespace havs {
 
-/// A transfer function as it is integrated: colour and extinction, both linear between knots, over the normalised scalar s of [0, 1],
-/// extinction per unit of the local frame.
+/// A transfer function as it is integrated: colour and extinction, both linear between knots, over the normalised
+/// scalar s of [0, 1], extinction per unit of the local frame.
 struct ExtinctionCurve {
   struct Knot {
     double s = 0;
@@ -15,13 +15,15 @@ struct ExtinctionCurve {
     double kappa = 0;
   };
   std::vector<Knot> knots;  ///< first at s = 0, last at s = 1, ascending; two at one s are a step
-  /// Closed intervals of s where opacity is 1 under `perUnit`: an opaque surface at the first scalar of it that a ray reaches.
+  /// Closed intervals of s where opacity is 1 under `perUnit`: an opaque surface at the first scalar of it that a ray
+  /// reaches.
   std::vector<std::array<double, 2>> opaque;
-  double unitLength = 0;  ///< used, in mesh units
+  double unitLength = 0;               ///< used, in mesh units
   std::array<double, 2> domain{0, 1};  ///< used, in the data's unit
   double maximumKappa = 0;
 
-  /// s of a data value: (value - domain[0]) / (domain[1] - domain[0]) clamped to [0, 1]; 0.5 when the domain is one value.
+  /// s of a data value: (value - domain[0]) / (domain[1] - domain[0]) clamped to [0, 1]; 0.5 when the domain is one
+  /// value.
   double normalise(double value) const;
   /// Colour and kappa at s; at a step, the value of the upper side (s = 1: the last knot).
   Knot at(double s) const;
@@ -35,8 +37,8 @@ struct CurveSetting {
   double tolerance = 1e-4;      ///< of the resampled kappa, relative to itself (perUnit between control points)
 };
 
-/// Resamples to piecewise-linear kappa. Under perUnit opacity is capped at 1 - 2^-24 outside `opaque`. Throws Error{input} (empty domain
-/// by request, unit length not positive).
+/// Resamples to piecewise-linear kappa. Under perUnit opacity is capped at 1 - 2^-24 outside `opaque`. Throws
+/// Error{input} (empty domain by request, unit length not positive).
 ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& setting);
 
 }  // namespace havs

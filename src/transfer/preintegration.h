@@ -14,16 +14,18 @@ struct SegmentColor {
   double alpha = 0;
 };
 
-/// The exact integral (design section 5) over a segment on which the scalar goes linearly from sFront to sBack in `length` (local units),
-/// piece by piece between the curve's knots. Opaque surfaces are not regarded here: the caller cuts the segment at them (firstOpaque).
+/// The exact integral (design section 5) over a segment on which the scalar goes linearly from sFront to sBack in
+/// `length` (local units), piece by piece between the curve's knots. Opaque surfaces are not regarded here: the caller
+/// cuts the segment at them (firstOpaque).
 SegmentColor integrateSegment(const ExtinctionCurve& curve, double sFront, double sBack, double length);
 
-/// Fraction of the way from sFront to sBack at which the scalar first lies in an opaque interval; > 1 when it never does.
+/// Fraction of the way from sFront to sBack at which the scalar first lies in an opaque interval; > 1 when it never
+/// does.
 double firstOpaque(const ExtinctionCurve& curve, double sFront, double sBack);
 
 /// The table of the paper: (front scalar, back scalar, length) -> premultiplied colour and opacity.
 struct Table3d {
-  int size = 0;            ///< entries along each axis; entry i of an axis stands for i / (size - 1) of its range
+  int size = 0;              ///< entries along each axis; entry i of an axis stands for i / (size - 1) of its range
   double maximumLength = 0;  ///< of the last entry along the length axis, local units
   std::vector<float> rgba;   ///< 4 floats an entry; entry (f, b, l) at ((l * size + b) * size + f) * 4
 };

@@ -1,34 +1,34 @@
-// Coverage by the side of the pixel's centre on which each edge passes. The side of an edge is computed from its two ends in an order
-// that depends on their positions only, so all faces at an edge agree about it; a centre on the edge counts as moved by an
-// infinitesimal (e, e^2). Every ray through a closed surface then meets as many front as back faces.
+// Coverage in exact arithmetic: vertices are rounded to 2^-26 pixel, and a centre on an edge counts as moved by an infinitesimal (e, e^2). All
+// faces then agree on which side of each edge a centre lies, also at faces seen edge-on, and every ray through a closed surface
+// meets as many front as back faces.
 #include "support/fragments.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "core/parallel.h"
 
 namespace havs::test {
 namespace {
 
-/// Twice the signed area of (a, b, p) with a before b in (x, y); and the side that p, moved by (e, e^2), is on.
+constexpr double kSubPixels = 1 << 26;
+constexpr double kFarthestPixel = 1 << 24;  // keeps the products below within 2^104
+
+std::int64_t centre(int pixel) { return (2 * std::int64_t{pixel} + 1) * (std::int64_t{1} << 25); }
+
+/// Twice the signed area of (a, b, p), and whether p, moved by (e, e^2), lies on the positive side of the line from a to b. Degenerate
+/// edges (a == b) have none.
 struct Edge {
   double value;
-  bool left;
+  bool positive;
 };
 
-Edge orderedEdge(const Vec3& a, const Vec3& b, double x, double y) {
-  const double value = (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-  if (value != 0) return {value, value > 0};
-  return {0, b.y != a.y ? b.y < a.y : b.x > a.x};
-}
-
-Edge edge(const Vec3& a, const Vec3& b, double x, double y) {
-  if (std::pair(a.x, a.y) <= std::pair(b.x, b.y)) return orderedEdge(a, b, x, y);
-  const Edge reversed = orderedEdge(b, a, x, y);
-  return {-reversed.value, !reversed.left};
+Edge edge(const FragmentSource::SubPixel& a, const FragmentSource::SubPixel& b, const FragmentSource::SubPixel& p) {
+  using Wide = __int128;
+  const Wide dx = b.x - a.x, dy = b.y - a.y;
+  const Wide value = dx * (p.y - a.y) - dy * (p.x - a.x);
+  return {static_cast<double>(value), value != 0 ? value > 0 : dy != 0 ? dy < 0 : dx > 0};
 }
 
 }  // namespace
@@ -38,29 +38,31 @@ FragmentSource::FragmentSource(std::span<const Vec3> points, const Faces& faces,
     : faces_(faces),
       scalars_(scalars),
       view_(view),
-      projected_(points.size()),
+      pixels_(points.size()),
+      nearness_(points.size()),
       depths_(points.size()),
       tilesX_((view.width + kTileSize - 1) / kTileSize),
       tilesY_((view.height + kTileSize - 1) / kTileSize) {
   parallelFor(0, points.size(), 4096, [&](std::size_t i) {
-    projected_[i] = view.project(points[i]);
+    const Vec3 projected = view.project(points[i]);
+    if (!(std::abs(projected.x) < kFarthestPixel && std::abs(projected.y) < kFarthestPixel))
+      throw std::invalid_argument("a point so far outside the picture cannot be replayed");
+    if (!view.orthographic && !(projected.z > 0))
+      throw std::invalid_argument("a point behind the eye cannot be replayed");
+    pixels_[i] = {std::llround(projected.x * kSubPixels), std::llround(projected.y * kSubPixels)};
+    nearness_[i] = view.orthographic ? 1.0 : 1.0 / projected.z;
     depths_[i] = view.depth(points[i]);
   });
-  if (!view.orthographic)
-    for (const auto& vertices : faces.vertices)
-      for (const Index v : vertices)
-        if (!(projected_[v].z > 0)) throw std::invalid_argument("a point behind the eye cannot be replayed");
   binFaces(order);
 }
 
 FragmentSource::PixelBox FragmentSource::boxOf(Index face) const {
   const auto& [i, j, k] = faces_.vertices[face];
-  const Vec3 &a = projected_[i], &b = projected_[j], &c = projected_[k];
-  auto firstCentre = [](double low) { return static_cast<int>(std::ceil(std::clamp(low, -1.0, 1e9) - 0.5)); };
-  auto lastCentre = [](double high) { return static_cast<int>(std::floor(std::clamp(high, -1.0, 1e9) - 0.5)); };
-  return {std::max(0, firstCentre(std::min({a.x, b.x, c.x}))), std::max(0, firstCentre(std::min({a.y, b.y, c.y}))),
-          std::min(view_.width - 1, lastCentre(std::max({a.x, b.x, c.x}))),
-          std::min(view_.height - 1, lastCentre(std::max({a.y, b.y, c.y})))};
+  const SubPixel &a = pixels_[i], &b = pixels_[j], &c = pixels_[k];
+  auto pixelOf = [](std::int64_t position) { return static_cast<int>(std::floor(static_cast<double>(position) / kSubPixels)); };
+  return {std::max(0, pixelOf(std::min({a.x, b.x, c.x}))), std::max(0, pixelOf(std::min({a.y, b.y, c.y}))),
+          std::min(view_.width - 1, pixelOf(std::max({a.x, b.x, c.x}))),
+          std::min(view_.height - 1, pixelOf(std::max({a.y, b.y, c.y})))};
 }
 
 void FragmentSource::binFaces(std::span<const Index> order) {
@@ -86,26 +88,26 @@ void FragmentSource::collect(std::size_t tile, std::vector<std::vector<ExactFrag
 
 void FragmentSource::collectFace(Index face, std::size_t tile, std::vector<std::vector<ExactFragment>>& pixels) const {
   const auto& [i, j, k] = faces_.vertices[face];
-  const Vec3 &a = projected_[i], &b = projected_[j], &c = projected_[k];
+  const SubPixel &a = pixels_[i], &b = pixels_[j], &c = pixels_[k];
+  if (a == b || b == c || c == a) return;
   const PixelBox whole = boxOf(face);
   const int column = firstColumn(tile), row = firstRow(tile);
   for (int y = std::max(whole.top, row); y <= std::min(whole.bottom, row + kTileSize - 1); ++y)
     for (int x = std::max(whole.left, column); x <= std::min(whole.right, column + kTileSize - 1); ++x) {
-      const double px = x + 0.5, py = y + 0.5;
-      const Edge ab = edge(a, b, px, py), bc = edge(b, c, px, py), ca = edge(c, a, px, py);
-      if (ab.left != bc.left || bc.left != ca.left) continue;
-      // Weights of the vertices on the screen, then (perspective) in space; all of one sign, so the mean stays between the vertices.
-      double wa = bc.value, wb = ca.value, wc = ab.value;
-      if (wa + wb + wc == 0) wa = wb = wc = 1;
-      if (!view_.orthographic) wa /= a.z, wb /= b.z, wc /= c.z;
+      const SubPixel p{centre(x), centre(y)};
+      const Edge ab = edge(a, b, p), bc = edge(b, c, p), ca = edge(c, a, p);
+      if (ab.positive != bc.positive || bc.positive != ca.positive) continue;
+      // Weights of the vertices: on the screen the opposite edge's area, in space divided by depth. All of one sign, so
+      // that a mean stays between the values of the vertices.
+      const double wa = bc.value * nearness_[i], wb = ca.value * nearness_[j], wc = ab.value * nearness_[k];
       const double sum = wa + wb + wc;
       auto mean = [&](std::span<const double> values) {
         return (wa * values[i] + wb * values[j] + wc * values[k]) / sum;
       };
       // Rows count downwards, so a face whose outside the eye sees turns to the right.
-      const int kind = !faces_.isBoundary(face) ? 0 : ab.left ? -1 : 1;
+      const int kind = !faces_.isBoundary(face) ? 0 : ab.positive ? -1 : 1;
       pixels[static_cast<std::size_t>((y - row) * kTileSize + x - column)].push_back(
-          {scalars_.empty() ? 0.0 : mean(scalars_), mean(depths_) * view_.rayScale(px, py), kind});
+          {scalars_.empty() ? 0.0 : mean(scalars_), mean(depths_) * view_.rayScale(x + 0.5, y + 0.5), kind});
     }
 }
 

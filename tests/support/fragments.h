@@ -20,6 +20,13 @@ struct ExactFragment {
 /// All faces projected and binned to the tiles they touch, in their order. The scene must outlive it.
 class FragmentSource {
  public:
+  /// A place in the picture in units of 2^-26 pixel, x right, y down.
+  struct SubPixel {
+    std::int64_t x, y;
+    bool operator==(const SubPixel&) const = default;
+  };
+
+  /// Throws std::invalid_argument for points behind the eye.
   FragmentSource(std::span<const Vec3> points, const Faces& faces, std::span<const Index> order,
                  std::span<const double> scalars, const View& view);
 
@@ -41,8 +48,9 @@ class FragmentSource {
   const Faces& faces_;
   std::span<const double> scalars_;
   const View& view_;
-  std::vector<Vec3> projected_;  ///< pixel column, pixel row, distance along forward from the eye
-  std::vector<double> depths_;   ///< relative to the mesh's centre
+  std::vector<SubPixel> pixels_;
+  std::vector<double> nearness_;  ///< 1 / distance along forward from the eye; orthographic: 1
+  std::vector<double> depths_;    ///< relative to the mesh's centre
   int tilesX_, tilesY_;
   std::vector<std::size_t> begin_;  ///< of each tile's faces in binned_
   std::vector<Index> binned_;

@@ -20,6 +20,13 @@ class GlTest : public testing::TestWithParam<std::string> {
   std::unique_ptr<Device> device_;
 };
 
+/// The tests of those devices that have framebuffer fetch.
+class FramebufferFetch : public GlTest {
+ protected:
+  void SetUp() override;
+};
+inline const ShaderOptions kFetch{{}, {"GL_EXT_shader_framebuffer_fetch"}};
+
 std::vector<std::string> deviceNames();
 
 /// A program from two texts.

@@ -159,10 +159,10 @@ TetMesh singleTetrahedron() {
 TetMesh visibilityCycle() {
   constexpr int kBricks = 3;
   const double turn = 2 * std::acos(-1.0) / kBricks;
-  // The brick from angle j to j + 1 has its upper end turned on by half a brick.
+  // The brick from angle j to j + 1 has its upper end turned on by a fifth of a brick.
   TetMesh mesh = gridMesh(1, kBricks, 1, Cut::six, [&](int i, int j, int k) {
     const double r = 0.3 + 0.7 * i;
-    const double angle = turn * ((j % kBricks) + 0.5 * k);
+    const double angle = turn * ((j % kBricks) + 0.2 * k);
     return Vec3(r * std::cos(angle), r * std::sin(angle), -0.5 + k);
   });
   // Weld angle 2 pi to angle 0, so that the ring is closed.

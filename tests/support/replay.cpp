@@ -32,13 +32,10 @@ class PixelReplay {
   }
 
   void add(const ExactFragment& exact) {
-    typename A::Fragment fragment;
-    fragment.scalar = exact.scalar;
-    fragment.distance = exact.distance;
-    fragment.kind = exact.kind;
+    const typename A::Fragment fragment = A::makeFragment(exact.scalar, exact.distance, exact.kind);
     if (A::isLate(buffer_, state_, fragment)) {
       ++result_.misordered;
-      state_.inside += fragment.kind;
+      state_.inside += exact.kind;  // the fragment is dropped, its kind still counts
       return;
     }
     typename A::Fragment front;

@@ -1,4 +1,5 @@
-// The weights of a linear piece (shaders/core/integration.glsl) against adaptive quadrature over the whole domain of design section 5.
+// The weights of a linear piece (shaders/core/integration.glsl) against adaptive quadrature over the whole domain of
+// design section 5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +47,8 @@ struct Pair {
   double atBack;
 };
 
-/// A grid of 0, 1e-12 ... 1e4 on both sides, two steps a decade and the places where the method changes, and random pairs, evenly in the logarithm.
+/// A grid of 0, 1e-12 ... 1e4 on both sides, two steps a decade and the places where the method changes, and random
+/// pairs, evenly in the logarithm.
 std::vector<Pair> domain() {
   std::vector<double> values{0};
   for (int i = -24; i <= 8; ++i) values.push_back(std::pow(10.0, i / 2.0));
@@ -72,7 +74,8 @@ long double worstOf(const W& w, const Weights& exact) {
 }
 
 TEST(Oracle, IntegratesPolynomialsOfDegree22) {
-  EXPECT_NEAR(static_cast<double>(test::kronrod15([](long double s) { return std::pow(s, 22); }, -1, 1) * 23 / 2), 1, 1e-17);
+  EXPECT_NEAR(static_cast<double>(test::kronrod15([](long double s) { return std::pow(s, 22); }, -1, 1) * 23 / 2), 1,
+              1e-17);
 }
 
 TEST(Integration, WeightsOverTheWholeDomain) {
@@ -113,7 +116,8 @@ TEST(Integration, ShorterRulesInTheirRange) {
       EXPECT_LE(worstOf(A::weightsByRule(p.atFront, p.atBack, 0, A::kShallowNodes), reference), 5e-15L);
     }
     if (depth <= 1.0) {
-      EXPECT_LE(worstOf(A::weightsByRule(p.atFront, p.atBack, A::kFirstMiddleNode, A::kMiddleNodes), reference), 2e-14L);
+      EXPECT_LE(worstOf(A::weightsByRule(p.atFront, p.atBack, A::kFirstMiddleNode, A::kMiddleNodes), reference),
+                2e-14L);
     }
   }
 }
@@ -134,12 +138,13 @@ TYPED_TEST(IntegrationBounds, HoldAlways) {
     const Real b = static_cast<Real>(i % 11 == 0 ? 0.0 : std::pow(10.0, exponent(random) / 4));
     const auto w = A::segmentWeights(f, b);
     ASSERT_TRUE(w.front >= 0 && w.front <= 1 && w.back >= 0 && w.back <= 1 && w.alpha <= 1) << f << " " << b;
-    const typename A::Rgba piece = A::linearPiece({Real(1), Real(unit(random)), Real(0), f},
-                                                  {Real(1), Real(unit(random)), Real(0), b}, Real(1));
+    const typename A::Rgba piece =
+        A::linearPiece({Real(1), Real(unit(random)), Real(0), f}, {Real(1), Real(unit(random)), Real(0), b}, Real(1));
     ASSERT_EQ(piece.r, piece.a);  // white stays white
     ASSERT_LE(piece.g, piece.a);  // no colour above its opacity
     ASSERT_EQ(piece.b, 0);
-    const typename A::Rgba ends = A::trapezoidSegment({Real(1), Real(0), Real(0), f}, {Real(1), Real(0), Real(0), b}, Real(1));
+    const typename A::Rgba ends =
+        A::trapezoidSegment({Real(1), Real(0), Real(0), f}, {Real(1), Real(0), Real(0), b}, Real(1));
     ASSERT_TRUE(ends.a >= 0 && ends.a <= 1);
     ASSERT_EQ(ends.g, 0);
   }
@@ -147,8 +152,9 @@ TYPED_TEST(IntegrationBounds, HoldAlways) {
 
 TYPED_TEST(IntegrationBounds, NothingThereGivesNothing) {
   using A = Arithmetic<TypeParam>;
-  for (const auto& piece : {A::linearPiece({1, 1, 1, 0}, {1, 1, 1, 0}, 1), A::linearPiece({1, 1, 1, 5}, {1, 1, 1, 5}, 0),
-                            A::trapezoidSegment({1, 1, 1, 0}, {1, 1, 1, 0}, 1)}) {
+  for (const auto& piece :
+       {A::linearPiece({1, 1, 1, 0}, {1, 1, 1, 0}, 1), A::linearPiece({1, 1, 1, 5}, {1, 1, 1, 5}, 0),
+        A::trapezoidSegment({1, 1, 1, 0}, {1, 1, 1, 0}, 1)}) {
     EXPECT_EQ(piece.r, 0);
     EXPECT_EQ(piece.a, 0);
   }
@@ -166,7 +172,8 @@ TEST(Integration, ConstantExtinctionIsTheClosedForm) {
 }
 
 TEST(Integration, ThinLayersInFloatAddUp) {
-  // 100,000 layers of optical depth 1e-5 make depth 1. Compositing in double shows the weights alone: 1e-6 is the goal of design section 5.
+  // 100,000 layers of optical depth 1e-5 make depth 1. Compositing in double shows the weights alone: 1e-6 is the goal
+  // of design section 5.
   const auto layer = FloatArithmetic::linearPiece({1, 0.5F, 0, 1e-5F}, {1, 0.5F, 0, 1e-5F}, 1);
   DoubleArithmetic::Rgba sum(0, 0, 0, 0);
   FloatArithmetic::Rgba sumFloat(0, 0, 0, 0);

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include "mesh/local_frame.h"
+#include "support/meshes.h"
+#include "support/ordered_scene.h"
+#include "support/views.h"
+
+namespace havs {
+namespace {
+
+constexpr int kSize = 48;
+
+struct Angles {
+  double azimuth, elevation;
+};
+// Along axes and diagonals of the grid (faces seen edge-on, pixel centres on edges), and in between.
+constexpr Angles kAngles[] = {{0, 0}, {90, 0}, {45, 0}, {0, 90}, {45, 35.26438968}, {30, 20}, {211, -64}, {137, 11}, {286, 49}};
+constexpr Projection kProjections[] = {Projection::perspective, Projection::orthographic};
+
+std::vector<std::pair<std::string, TetMesh>> convexMeshes() {
+  return {{"single", test::singleTetrahedron()},
+          {"five", test::box(4, test::Cut::five)},
+          {"six", test::box(4, test::Cut::six)},
+          {"jittered", test::box(5, test::Cut::five, 0.25)},
+          {"ball", test::ball(6)}};
+}
+
+// The order of a convex mesh without cycles is right for every ray: no fragment comes late even where the buffer holds one.
+TEST(TopologicalOrder, IsExactForConvexMeshes) {
+  const auto color = test::scalarExtinction(1.5);
+  for (auto& [name, mesh] : convexMeshes()) {
+    const test::OrderedScene scene(std::move(mesh));
+    for (const Projection projection : kProjections)
+      for (const auto& [azimuth, elevation] : kAngles) {
+        SCOPED_TRACE(name + " " + std::to_string(azimuth) + " " + std::to_string(elevation));
+        const View view = test::viewFrom(scene.frame, azimuth, elevation, kSize, projection);
+        const FaceOrder order = scene.order("topological", view);
+        EXPECT_EQ(order.cycles, 0u);
+        const std::vector<int> ks{1, 14};
+        const auto results = test::replay({scene.points, &scene.faces, order.faces, scene.scalars, view}, ks, color);
+        EXPECT_GT(results[0].fragments, 0u);
+        EXPECT_EQ(results[0].misordered, 0u);
+        // The order of fragments closer than the tolerance (1e-6, at edges) is free; their segments show next to nothing.
+        EXPECT_LT(test::greatestDifference(results[0].image, results[1].image), 1e-5);
+      }
+  }
+}
+
+TEST(TopologicalOrder, BeatsTheCentroidOrderOnStretchedCells) {
+  const test::OrderedScene scene(test::stretchedLayers(12, 1.6));
+  const View view = test::viewFrom(scene.frame, 30, 20, 128);
+  EXPECT_EQ(scene.replay("topological", view, 1).misordered, 0u);
+  EXPECT_GT(scene.replay("centroid", view, 1).misordered, 1000u);
+}
+
+TEST(TopologicalOrder, CutsAndCountsCycles) {
+  const test::OrderedScene scene(test::visibilityCycle());
+  for (std::size_t c = 0; c < scene.mesh.tetrahedra.size(); ++c) ASSERT_GT(test::volume(scene.mesh, c), 0);
+  const View view = test::viewFrom(scene.frame, 0, 0, kSize, Projection::orthographic);  // along the axis of the ring
+  const FaceOrder order = scene.order("topological", view);
+  EXPECT_GE(order.cycles, 1u);
+  EXPECT_EQ(order.faces.size(), scene.faces.size());
+  // Some rays meet the cells where the cycle was cut in the wrong order. None meets more faces than the longer buffer holds.
+  EXPECT_GT(scene.replay("topological", view, 1).misordered, 0u);
+  EXPECT_EQ(scene.replay("topological", view, 14).misordered, 0u);
+}
+
+TEST(TopologicalOrder, DoesNotDependOnEarlierViews) {
+  const test::OrderedScene scene(test::boxWithHole(6));
+  const auto sorter = sortMethod("topological").make({scene.points, scene.mesh.tetrahedra, &scene.faces});
+  const ViewPoint first = test::viewPoint(test::viewFrom(scene.frame, 10, 20, 8));
+  const ViewPoint second = test::viewPoint(test::viewFrom(scene.frame, 150, -20, 8));
+  FaceOrder fresh, again;
+  sorter->sort(first, fresh);
+  sorter->sort(second, again);
+  sorter->sort(first, again);
+  EXPECT_EQ(fresh.faces, again.faces);
+  EXPECT_EQ(fresh.cycles, again.cycles);
+}
+
+}  // namespace
+}  // namespace havs

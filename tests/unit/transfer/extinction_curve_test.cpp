@@ -1,0 +1,121 @@
+#include "transfer/extinction_curve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace havs {
+namespace {
+
+double unitDepth(double opacity) { return -std::log1p(-std::min(opacity, 1 - 0x1p-24)); }
+
+TEST(ExtinctionCurve, PerUnitStaysWithinTheToleranceEverywhere) {
+  for (double tolerance : {1e-2, 1e-4, 1e-6}) {
+    for (const TransferFunction& f :
+         {TransferFunction{.points = {{0, {}, 0}, {1, {}, 1}}}, TransferFunction{.points = {{0, {}, 1}, {1, {}, 0}}},
+          TransferFunction{.points = {{0, {}, 0.2}, {0.7, {}, 0.9}, {1, {}, 0.899}}}}) {
+      const ExtinctionCurve curve = makeCurve(f, {.boundingDiagonal = 20, .radius = 1, .tolerance = tolerance});
+      double worst = 0;
+      for (int i = 1; i < 100000; ++i) {
+        const double exact = unitDepth(evaluate(f, i / 1e5).opacity);
+        worst = std::max(worst, std::abs(curve.at(i / 1e5).kappa / exact - 1));
+      }
+      EXPECT_LE(worst, tolerance);
+      EXPECT_GE(worst, tolerance / 20);  // not many more knots than it takes
+    }
+  }
+}
+
+TEST(ExtinctionCurve, KappaIsPerLocalUnit) {
+  const TransferFunction f{.points = {{0, {}, 0.5}, {1, {}, 0.5}}};
+  const ExtinctionCurve curve = makeCurve(f, {.boundingDiagonal = 60, .radius = 30});
+  EXPECT_DOUBLE_EQ(curve.unitLength, 3);  // diagonal / 20
+  EXPECT_DOUBLE_EQ(curve.at(0.5).kappa, std::log(2.0) / 3 * 30);
+  EXPECT_EQ(curve.knots.size(), 2u);  // constant opacity needs no more
+}
+
+TEST(ExtinctionCurve, ResultDoesNotDependOnTheUnitOfTheMesh) {
+  const TransferFunction f = loadTransferFunction("three-peaks");
+  const ExtinctionCurve metres = makeCurve(f, {.boundingDiagonal = 2, .radius = 1});
+  const ExtinctionCurve millimetres = makeCurve(f, {.boundingDiagonal = 2000, .radius = 1000});
+  ASSERT_EQ(metres.knots.size(), millimetres.knots.size());
+  for (std::size_t i = 0; i < metres.knots.size(); ++i)
+    EXPECT_NEAR(metres.knots[i].kappa, millimetres.knots[i].kappa, 1e-12);
+}
+
+TEST(ExtinctionCurve, ExtinctionIsExact) {
+  TransferFunction f{.points = {{0, {}, 0.5}, {0.5, {}, 7}, {1, {}, 0}}, .meaning = OpacityMeaning::extinction};
+  f.unitLength = 0.25;
+  const ExtinctionCurve curve = makeCurve(f, {.radius = 2});
+  ASSERT_EQ(curve.knots.size(), 3u);
+  EXPECT_EQ(curve.knots[1].kappa, 56);
+  EXPECT_EQ(curve.maximumKappa, 56);
+  EXPECT_TRUE(curve.opaque.empty());
+}
+
+TEST(ExtinctionCurve, OpaqueIntervalsAreClosedAndJoined) {
+  const TransferFunction f{.points = {{0, {}, 0},
+                                      {0.2, {}, 1},
+                                      {0.3, {}, 1},
+                                      {0.4, {}, 1},
+                                      {0.5, {}, 0},
+                                      {0.7, {}, 1},
+                                      {0.7, {}, 0},
+                                      {0.9, {}, 0.5},
+                                      {0.9, {}, 1}}};
+  const ExtinctionCurve curve = makeCurve(f, {});
+  EXPECT_THAT(curve.opaque, testing::ElementsAre(testing::ElementsAre(0.2, 0.4), testing::ElementsAre(0.7, 0.7),
+                                                 testing::ElementsAre(0.9, 1.0)));
+  EXPECT_DOUBLE_EQ(curve.maximumKappa, 24 * std::log(2.0) / 0.1);  // the cap 1 - 2^-24, unit length 2 / 20
+}
+
+TEST(ExtinctionCurve, StepsAreKept) {
+  const TransferFunction f{
+      .points = {{0, {1, 0, 0}, 0.1}, {0.5, {1, 0, 0}, 0.1}, {0.5, {0, 0, 1}, 0.3}, {1, {0, 0, 1}, 0.3}}};
+  const ExtinctionCurve curve = makeCurve(f, {});
+  ASSERT_EQ(curve.knots.size(), 4u);
+  EXPECT_EQ(curve.knots[1].s, curve.knots[2].s);
+  EXPECT_EQ(curve.at(0.5).color[2], 1);  // the upper side
+  EXPECT_EQ(curve.at(std::nextafter(0.5, 0)).color[2], 0);
+}
+
+TEST(ExtinctionCurve, DataScaleIsCutToTheDomain) {
+  TransferFunction f{.points = {{0, {0, 0, 0}, 0.1}, {100, {1, 1, 1}, 0.1}}, .normalised = false};
+  const ExtinctionCurve curve = makeCurve(f, {.fieldRange = {25, 150}});
+  EXPECT_EQ(curve.knots.front().s, 0);
+  EXPECT_EQ(curve.knots.back().s, 1);
+  EXPECT_DOUBLE_EQ(curve.at(0).color[0], 0.25);
+  EXPECT_DOUBLE_EQ(curve.at(curve.normalise(50)).color[0], 0.5);
+  EXPECT_EQ(curve.at(curve.normalise(140)).color[0], 1);
+  f.domain = {50, 60};
+  const ExtinctionCurve narrow = makeCurve(f, {.fieldRange = {25, 150}});
+  EXPECT_EQ(narrow.domain, (std::array{50.0, 60.0}));
+  EXPECT_DOUBLE_EQ(narrow.at(1).color[0], 0.6);
+  EXPECT_EQ(narrow.normalise(-1e9), 0);
+}
+
+TEST(ExtinctionCurve, FieldOfOneValue) {
+  const TransferFunction data{.points = {{0, {0, 0, 0}, 0}, {10, {1, 1, 1}, 0.5}}, .normalised = false};
+  const ExtinctionCurve curve = makeCurve(data, {.fieldRange = {5, 5}});
+  EXPECT_EQ(curve.normalise(5), 0.5);
+  EXPECT_DOUBLE_EQ(curve.at(0.5).color[0], 0.5);
+  EXPECT_DOUBLE_EQ(curve.at(0.5).kappa, -std::log(0.75) / 0.1);
+  EXPECT_DOUBLE_EQ(makeCurve(loadTransferFunction("grayscale"), {.fieldRange = {5, 5}}).at(0.5).color[0], 0.5);
+}
+
+TEST(ExtinctionCurve, RefusesWhatMakesNoSense) {
+  TransferFunction f = loadTransferFunction("rainbow");
+  EXPECT_THROW(makeCurve(f, {.boundingDiagonal = 0}), Error);
+  f.unitLength = -1;
+  EXPECT_THROW(makeCurve(f, {}), Error);
+  f.unitLength = 1;
+  f.domain = {3, 3};
+  EXPECT_THROW(makeCurve(f, {}), Error);
+  EXPECT_THROW(makeCurve(TransferFunction{}, {}), Error);
+}
+
+}  // namespace
+}  // namespace havs
