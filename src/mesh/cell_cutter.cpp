@@ -60,27 +60,20 @@ void CellCutter::cut(Index cell, const CellShape& shape, std::span<const Index> 
 
 void CellCutter::cutFromLowestPoint(const CellShape& shape, std::span<const Index> corners) {
   gatherSurface(shape, corners);
-  const auto lowestAt = std::min_element(corners.begin(), corners.end()) - corners.begin();
-  const Index lowest = corners[static_cast<std::size_t>(lowestAt)];
+  const auto lowestAt = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+  const Index lowest = corners[lowestAt];
   droppedPiece_ = hasRepeats(corners);
-
-  // The corner across the body diagonal: 8 points as a hexahedron or a voxel numbers them.
-  constexpr std::array<std::size_t, 8> kAcrossHexahedron = {6, 7, 4, 5, 2, 3, 0, 1};
-  const bool isVoxel = &shape == &cellShape(11);
-  if (corners.size() == 8 && !droppedPiece_) {
-    const auto at = static_cast<std::size_t>(lowestAt);
-    replaceThreeByTwo(lowest, corners[isVoxel ? 7 - at : kAcrossHexahedron[at]]);
-  }
+  if (!shape.across.empty() && !droppedPiece_) replaceThreeByTwo(lowest, corners[shape.across[lowestAt]]);
   for (const Triangle& t : surface_)
     if (!contains(t, lowest)) add({lowest, t[0], t[1], t[2]});
 }
 
 /// When no face's diagonal ends in `opposite`, three tetrahedra of the cone share the edge from `lowest` to it; the
 /// corner tetrahedron of `opposite` and one in the middle take their place: the hexahedron's cut in five.
-bool CellCutter::replaceThreeByTwo(Index lowest, Index opposite) {
+void CellCutter::replaceThreeByTwo(Index lowest, Index opposite) {
   const auto touching =
       std::partition(surface_.begin(), surface_.end(), [&](const Triangle& t) { return !contains(t, opposite); });
-  if (surface_.end() - touching != 3) return false;
+  if (surface_.end() - touching != 3) return;
   const Triangle first = startingAt(opposite, touching[0]);
   const Triangle second = startingAt(opposite, touching[1]);
   const Index a = first[1];
@@ -89,7 +82,6 @@ bool CellCutter::replaceThreeByTwo(Index lowest, Index opposite) {
   surface_.erase(touching, surface_.end());
   add({lowest, a, b, c});
   add({a, b, c, opposite});
-  return true;
 }
 
 void CellCutter::cutFromCentre(const CellShape& shape, std::span<const Index> corners) {

@@ -37,7 +37,7 @@ class CellCutter {
   void cutQuadraticTetra(std::span<const Index> corners);
   void gatherSurface(const CellShape& shape, std::span<const Index> corners);
   void fan(std::span<const Index> polygon);
-  bool replaceThreeByTwo(Index lowest, Index opposite);
+  void replaceThreeByTwo(Index lowest, Index opposite);
   void add(const Tetrahedron& tetrahedron);
   Index addCentre(std::vector<Index> around);
 

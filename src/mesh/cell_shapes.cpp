@@ -94,11 +94,10 @@ void addSmallCells(Table& t) {
 
 void addLinearCells(Table& t) {
   t[10] = {"tetrahedra", CutRule::keep, 4};
-  t[11] = {"voxels",
-           CutRule::fromLowestPoint,
-           8,
-           {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-  t[12] = {"hexahedra", CutRule::fromLowestPoint, 8, prism(4)};
+  t[11] = {"voxels", CutRule::fromLowestPoint,
+           8,        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}},
+           -1,       {7, 6, 5, 4, 3, 2, 1, 0}};
+  t[12] = {"hexahedra", CutRule::fromLowestPoint, 8, prism(4), -1, {6, 7, 4, 5, 2, 3, 0, 1}};
   t[13] = {"wedges", CutRule::fromLowestPoint, 6, prism(3)};
   t[14] = {"pyramids", CutRule::fromLowestPoint, 5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
   t[15] = {"pentagonal prisms", CutRule::fromLowestPoint, 10, prism(5)};

@@ -24,6 +24,9 @@ struct CellShape {
   /// VTK's parametric coordinates. The faces of quadratic cells appear divided at their mid nodes.
   std::vector<std::vector<std::uint8_t>> facets;
   std::int8_t centreNode = -1;  ///< the point in the middle, where the type has one
+  /// For the types with six quadrilaterals, the point at the other end of the body diagonal from each point; else
+  /// empty.
+  std::vector<std::uint8_t> across = {};
 };
 
 /// The shape of VTK's cell type; `name` is null for a number that is no type.

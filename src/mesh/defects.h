@@ -16,16 +16,19 @@ struct Defect {
   std::string repair;     ///< what repairMesh does about it, one phrase
 };
 
-/// Counts every kind of defect (rows with count 0 too, so that a reader sees what was looked for). Linear time, parallel.
+/// Counts every kind of defect (rows with count 0 too, so that a reader sees what was looked for). Linear time,
+/// parallel.
 /// flat: |volume| <= 1e-15 times the cube of the cell's longest edge; overfull face: a face of more than two cells.
 std::vector<Defect> inspectMesh(const TetMesh& mesh);
 
-/// Turns inverted cells, leaves out flat and duplicate cells (the first stays), cells with a non-finite point, and points that no cell uses.
+/// Turns inverted cells, leaves out flat and duplicate cells (the first stays), cells with a non-finite point, and
+/// points that no cell uses.
 /// Non-finite scalars stay (cells that touch them are holes when drawn, see withoutHoles). Returns the mended mesh.
 /// Throws Error{input} when no cell is left.
 TetMesh repairMesh(TetMesh mesh);
 
-/// Merges points whose three coordinates are bit-identical and whose point data are too (-0 equals 0). Returns how many went.
+/// Merges points whose three coordinates are bit-identical and whose point data are too (-0 equals 0). Returns how many
+/// went.
 std::size_t weldPoints(TetMesh& mesh);
 
 }  // namespace havs

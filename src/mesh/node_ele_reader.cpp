@@ -58,6 +58,11 @@ void checkNumber(const TextScanner& in, std::int64_t number, std::int64_t wanted
             "number them one after the other, from 0 or from 1");
 }
 
+void report(const Progress& progress, const TextScanner& in, std::size_t line, const char* stage) {
+  constexpr std::size_t kEvery = 65536;
+  if (progress && line % kEvery == 0) progress(stage, in.fraction());
+}
+
 /// Columns that a header announces for each line; `most` guards against nonsense.
 std::size_t columns(TextScanner& in, const char* what) {
   constexpr std::int64_t kMost = 10000;
@@ -66,7 +71,7 @@ std::size_t columns(TextScanner& in, const char* what) {
   return static_cast<std::size_t>(n);
 }
 
-Points readPoints(const fs::path& file) {
+Points readPoints(const fs::path& file, const Progress& progress) {
   TextScanner in(file);
   in.needLine("the header of the points");
   const std::size_t count = in.count("points", 8);  // "0 0 0 0\n" is the shortest line
@@ -93,6 +98,7 @@ Points readPoints(const fs::path& file) {
     for (Field& field : points.fields) field.values.push_back(in.real("an attribute"));
     if (points.hasMarkers) in.integer("a boundary marker");
     points.longLines += in.more() ? 1 : 0;
+    report(progress, in, i, "read points");
   }
   return points;
 }
@@ -115,7 +121,7 @@ std::vector<Field> attributeFields(std::size_t attributes) {
   return fields;
 }
 
-Cells readCells(const fs::path& file, const Points& points) {
+Cells readCells(const fs::path& file, const Points& points, const Progress& progress) {
   TextScanner in(file);
   in.needLine("the header of the tetrahedra");
   const std::size_t count = in.count("tetrahedra", 10);
@@ -135,6 +141,8 @@ Cells readCells(const fs::path& file, const Points& points) {
       in.fail(fmt::format("the file ends after {} of {} tetrahedra", i, count),
               "is it cut short, or its header wrong?");
     const std::int64_t number = in.integer("a tetrahedron's number");
+    if (i == 0 && number != 0 && number != 1)
+      in.fail(fmt::format("the first tetrahedron's number is {}", number), "start at 0 or at 1");
     if (i == 0) firstNumber = number;
     checkNumber(in, number, firstNumber + static_cast<std::int64_t>(i), "tetrahedron");
     for (std::size_t n = 0; n < cells.nodes; ++n) {
@@ -147,6 +155,7 @@ Cells readCells(const fs::path& file, const Points& points) {
     }
     for (Field& field : cells.fields) field.values.push_back(in.real("an attribute"));
     cells.longLines += in.more() ? 1 : 0;
+    report(progress, in, i, "read cells");
   }
   return cells;
 }
@@ -179,10 +188,11 @@ TetMesh quadraticMesh(Points points, const Cells& cells, const std::string& wher
 
 }  // namespace
 
-TetMesh readNodeEle(const fs::path& file, const ReadOptions&) {
+TetMesh readNodeEle(const fs::path& file, const ReadOptions& options) {
   const Pair pair = pairOf(file);
-  Points points = readPoints(pair.node);
-  Cells cells = readCells(pair.ele, points);
+  Points points = readPoints(pair.node, options.progress);
+  Cells cells = readCells(pair.ele, points, options.progress);
+  if (options.progress) options.progress("read cells", 1);
   const bool hasMarkers = points.hasMarkers;
   const std::size_t longLines[2] = {points.longLines, cells.longLines};
   TetMesh mesh = cells.nodes == 4 ? linearMesh(std::move(points), std::move(cells))

@@ -53,9 +53,13 @@ void writeText(OutputFile& file, const Text& text) { file.write(std::as_bytes(st
 }  // namespace
 
 void writeNodeEle(const TetMesh& mesh, const std::filesystem::path& file) {
-  std::filesystem::path node = file, ele = file;
-  OutputFile nodeFile(node.replace_extension(".node"));
-  OutputFile eleFile(ele.replace_extension(".ele"));
+  // The file that was named keeps its name, capitals and all.
+  const std::string extension = file.extension().string();
+  const bool namesCells = extension == ".ele" || extension == ".ELE";
+  std::filesystem::path other = file;
+  other.replace_extension(namesCells ? ".node" : ".ele");
+  OutputFile nodeFile(namesCells ? other : file);
+  OutputFile eleFile(namesCells ? file : other);
   writeText(nodeFile, nodeText(mesh));
   writeText(eleFile, eleText(mesh));
   nodeFile.commit();

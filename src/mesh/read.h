@@ -29,12 +29,16 @@ struct MeshFormat {
 std::span<const MeshFormat> meshFormats();
 
 /// Reads a mesh of any known format, chosen by the file's extension. Bit-identical points are welded, and it is noted.
-/// Throws Error{input}: no such file, a directory, an unknown extension (names the known ones), a format that this build leaves out, broken
-/// content with file and line or cell, no tetrahedra.
+/// Throws Error{input}: no such file, a directory, an empty file, an unknown extension (names the known ones), a format
+/// that
+/// this build leaves out, broken content with file and line or cell, no tetrahedra, more than options.maxTetrahedra.
 TetMesh readMesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// Writes .vtu (needs VTK) or .node with its .ele, by extension; whole or not at all. Point data become .node attributes, the first cell
-/// field the .ele region attribute. Throws Error.
+/// Writes .vtu (needs VTK) or .node with its .ele, by extension; whole or not at all. In TetGen's files the components
+/// of
+/// all point data become attributes of the points, the first cell field of one component the region attribute; names
+/// and
+/// further cell fields have no place there. Throws Error.
 void writeMesh(const TetMesh& mesh, const std::filesystem::path& file);
 
 }  // namespace havs

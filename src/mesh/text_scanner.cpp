@@ -103,6 +103,8 @@ std::int64_t TextScanner::integer(std::string_view wanted) {
   fail(fmt::format("'{}' is no whole number, {} is expected", shown(text), wanted), "correct it");
 }
 
+char TextScanner::peek() { return more() ? *at_ : '\0'; }
+
 std::string_view TextScanner::wholeLine(std::string_view wanted) {
   at_ = std::find(at_, end_, '\n');
   if (end_ - at_ < 2) needLine(wanted);  // which fails
@@ -119,11 +121,19 @@ std::string_view TextScanner::wholeLine(std::string_view wanted) {
 std::size_t TextScanner::count(std::string_view wanted, std::size_t bytesEach) {
   const std::int64_t value = integer(fmt::format("the number of {}", wanted));
   if (value < 0) fail(fmt::format("the number of {} is {}", wanted, value), "it must not be negative");
-  const auto left = static_cast<std::size_t>(end_ - at_) + 1;  // the last line may lack its end
-  if (static_cast<std::size_t>(value) > left / std::max<std::size_t>(bytesEach, 1))
+  const auto count = static_cast<std::size_t>(value);
+  if (count > text_.size() || !holds(count * bytesEach))
     fail(fmt::format("{} {} are promised, but the rest of the file is too short for them", value, wanted),
          "is the file cut short, or its header wrong?");
-  return static_cast<std::size_t>(value);
+  return count;
+}
+
+bool TextScanner::holds(std::size_t bytes) const {
+  return bytes <= static_cast<std::size_t>(end_ - at_) + 1;  // the last line may lack its end
+}
+
+double TextScanner::fraction() const {
+  return static_cast<double>(at_ - text_.data()) / static_cast<double>(std::max<std::size_t>(text_.size(), 1));
 }
 
 void TextScanner::fail(const std::string& what, const std::string& tryThis) const { failInput(what, place(), tryThis); }

@@ -25,6 +25,8 @@ class TextScanner {
   /// The next number of the line; "nan" and "inf" are numbers. Throws Error{input} when it is missing or no number.
   double real(std::string_view wanted);
   std::int64_t integer(std::string_view wanted);
+  /// The next character of the line, 0 at its end.
+  char peek();
   /// The whole next line, commas and # included, without blanks at either end; it may be empty. For names.
   /// Throws Error{input} at the end of the file.
   std::string_view wholeLine(std::string_view wanted);
@@ -32,15 +34,18 @@ class TextScanner {
   /// An integer that announces `wanted`, each taking at least `bytesEach` bytes of what follows: throws Error{input}
   /// when it is negative or more than the rest of the file can hold, so that no memory is taken for an empty promise.
   std::size_t count(std::string_view wanted, std::size_t bytesEach);
+  /// Whether `bytes` more can follow in the file.
+  bool holds(std::size_t bytes) const;
 
   /// Throws Error{input} with this file and line.
   [[noreturn]] void fail(const std::string& what, const std::string& tryThis = "") const;
 
-  std::size_t line() const { return line_; }
-  std::string place() const;
+  /// How much of the file lies behind, 0 to 1.
+  double fraction() const;
 
  private:
   void skipSeparators();
+  std::string place() const;
 
   std::string file_;
   std::string text_;

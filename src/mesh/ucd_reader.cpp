@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cctype>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -24,7 +25,7 @@ class Numbering {
 
   void append(const TextScanner& in, std::int64_t number) {
     if (size_ == 0) first_ = number;
-    const bool follows = positions_.empty() && number - first_ == static_cast<std::int64_t>(size_);
+    const bool follows = positions_.empty() && fromFirst(number) == size_;
     if (!follows) insertAll();
     if (!follows && !positions_.emplace(number, size_).second)
       in.fail(fmt::format("{} number {} comes twice", what_, number), "give each its own number");
@@ -35,8 +36,7 @@ class Numbering {
       const auto found = positions_.find(number);
       return found == positions_.end() ? std::nullopt : std::optional(found->second);
     }
-    if (number < first_ || number - first_ >= static_cast<std::int64_t>(size_)) return std::nullopt;
-    return static_cast<std::size_t>(number - first_);
+    return fromFirst(number) < size_ ? std::optional(static_cast<std::size_t>(fromFirst(number))) : std::nullopt;
   }
   std::size_t position(const TextScanner& in, std::int64_t number) const {
     if (const auto found = find(number)) return *found;
@@ -46,6 +46,10 @@ class Numbering {
   std::size_t size() const { return size_; }
 
  private:
+  /// Modulo 2^64, so huge for a number below the first.
+  std::uint64_t fromFirst(std::int64_t number) const {
+    return static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(first_);
+  }
   void insertAll() {
     if (!positions_.empty()) return;
     for (std::size_t i = 0; i < size_; ++i) positions_.emplace(first_ + static_cast<std::int64_t>(i), i);
@@ -108,12 +112,9 @@ void readPoints(TextScanner& in, std::size_t count, CellSoup& soup, Numbering& n
 }
 
 void readCell(TextScanner& in, const Numbering& points, CellSoup& soup, Field& material) {
-  std::string_view name = in.word("a cell's material");
-  material.values.push_back(0);
-  if (name[0] < 'a') {  // some writers leave the material out
-    material.values.back() = std::strtod(std::string(name).c_str(), nullptr);
-    name = in.word("a cell's type");
-  }
+  const bool hasMaterial = !std::isalpha(static_cast<unsigned char>(in.peek()));  // some writers leave it out
+  material.values.push_back(hasMaterial ? in.real("a cell's material") : 0);
+  const std::string_view name = in.word("a cell's type");
   const UcdCell* cell = ucdCell(name);
   if (!cell)
     in.fail(fmt::format("'{}' is no type of cell", name.substr(0, 40)),
@@ -160,6 +161,13 @@ std::vector<Field> readFields(TextScanner& in, const Numbering& numbering) {
     field.components = static_cast<int>(components);
   }
   for (std::size_t i = 0; i < count; ++i) fields[i].name = fieldName(in, i);
+  const std::size_t total = std::accumulate(
+      fields.begin(), fields.end(), std::size_t{0},
+      [](std::size_t sum, const Field& field) { return sum + static_cast<std::size_t>(field.components); });
+  if (!in.holds(2 * total * numbering.size()))
+    in.fail(fmt::format("the values of {} {}s, {} each, are promised, but the rest of the file is too short for them",
+                        numbering.size(), numbering.what(), total),
+            "is the file cut short?");
 
   std::vector<char> seen(numbering.size(), 0);
   for (std::size_t i = 0; i < numbering.size(); ++i) {
