@@ -140,4 +140,24 @@ ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& 
   return curve;
 }
 
+ExtinctionCurve withoutOpaque(const ExtinctionCurve& curve) {
+  using Knot = ExtinctionCurve::Knot;
+  ExtinctionCurve bridged = curve;
+  bridged.opaque.clear();
+  for (const auto& [low, high] : curve.opaque) {
+    std::vector<Knot>& knots = bridged.knots;
+    const auto first = std::find_if(knots.begin(), knots.end(), [low = low](const Knot& k) { return k.s >= low; });
+    const auto last = std::find_if(first, knots.end(), [high = high](const Knot& k) { return k.s > high; });
+    Knot before = *first, after = *std::prev(last);  // at a step, its outer sides
+    if (low <= 0) before = after;
+    if (high >= 1) after = low <= 0 ? Knot{} : before;
+    if (low <= 0 && high >= 1) before = Knot{};
+    before.s = low;
+    after.s = high;
+    const auto place = knots.erase(first, last);
+    knots.insert(place, {before, after});
+  }
+  return bridged;
+}
+
 }  // namespace havs

@@ -22,15 +22,9 @@ SegmentColor integrateSegment(const ExtinctionCurve& curve, double sFront, doubl
 }
 
 double firstOpaque(const ExtinctionCurve& curve, double sFront, double sBack) {
-  constexpr double kNever = 2;
-  double first = kNever;
-  for (const auto& [low, high] : curve.opaque) {
-    if (sFront >= low && sFront <= high) return 0;
-    const double reached = sFront < low ? low : high;  // the end that a ray from sFront meets
-    const double way = sBack - sFront;
-    const bool ahead = way > 0 ? reached > sFront && reached <= sBack : reached < sFront && reached >= sBack;
-    if (ahead) first = std::min(first, (reached - sFront) / way);
-  }
+  double first = 2;  // never
+  for (const auto& [low, high] : curve.opaque)
+    first = std::min(first, Arithmetic<DoubleLane>::opaqueEntry(low, high, sFront, sBack));
   return first;
 }
 

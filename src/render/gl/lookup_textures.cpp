@@ -21,13 +21,15 @@ glm::vec2 halfTexel(int size) {
 }  // namespace
 
 LookupTextures::LookupTextures(const PreparedScene& prepared, const RenderPlan& plan, const Progress& progress) {
-  if (plan.lookup.table == LookupTable::table3d) makeTable(prepared, plan, progress);
-  if (plan.needsCurveTexture) makeCurve(prepared.curve);
+  const ExtinctionCurve seen = withoutOpaque(prepared.curve);
+  if (plan.lookup.table == LookupTable::table3d) makeTable(seen, prepared.longestEdge, plan, progress);
+  if (plan.needsCurveTexture) makeCurve(prepared.curve, seen);
   if (!prepared.curve.opaque.empty()) makeOpaque(prepared.curve);
 }
 
-void LookupTextures::makeTable(const PreparedScene& prepared, const RenderPlan& plan, const Progress& progress) {
-  const Table3d table = buildTable3d(prepared.curve, plan.tableSize, prepared.longestEdge, progress);
+void LookupTextures::makeTable(const ExtinctionCurve& seen, double longestEdge, const RenderPlan& plan,
+                               const Progress& progress) {
+  const Table3d table = buildTable3d(seen, plan.tableSize, longestEdge, progress);
   lengthScale_ = static_cast<float>(1.0 / table.maximumLength);
   const bool eightBits = plan.tableFormat.name == "rgba8";
   table_ = Texture::image3D("pre-integrated table", eightBits ? GL_RGBA8 : GL_RGBA32F, table.size, table.size, table.size);
@@ -39,13 +41,13 @@ void LookupTextures::makeTable(const PreparedScene& prepared, const RenderPlan& 
   }
 }
 
-void LookupTextures::makeCurve(const ExtinctionCurve& curve) {
+void LookupTextures::makeCurve(const ExtinctionCurve& curve, const ExtinctionCurve& seen) {
   std::vector<float> texels;
   texels.reserve(4 * kCurveSamples);
   for (int i = 0; i < kCurveSamples; ++i) {
-    const ExtinctionCurve::Knot knot = curve.at(static_cast<double>(i) / (kCurveSamples - 1));
-    for (const double channel : knot.color) texels.push_back(static_cast<float>(channel));
-    texels.push_back(static_cast<float>(knot.kappa));
+    const double s = static_cast<double>(i) / (kCurveSamples - 1);
+    for (const double channel : curve.at(s).color) texels.push_back(static_cast<float>(channel));
+    texels.push_back(static_cast<float>(seen.at(s).kappa));
   }
   curve_ = Texture::image2D("transfer function", GL_RGBA32F, kCurveSamples, 1);
   curve_->upload(GL_RGBA, std::span<const float>(texels));

@@ -18,8 +18,8 @@ class LookupTextures {
   void bind(const Program& program) const;
 
  private:
-  void makeTable(const PreparedScene& prepared, const RenderPlan& plan, const Progress& progress);
-  void makeCurve(const ExtinctionCurve& curve);
+  void makeTable(const ExtinctionCurve& seen, double longestEdge, const RenderPlan& plan, const Progress& progress);
+  void makeCurve(const ExtinctionCurve& curve, const ExtinctionCurve& seen);
   void makeOpaque(const ExtinctionCurve& curve);
 
   std::optional<Texture> table_, curve_, opaque_;

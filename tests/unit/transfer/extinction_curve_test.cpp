@@ -72,6 +72,23 @@ TEST(ExtinctionCurve, OpaqueIntervalsAreClosedAndJoined) {
   EXPECT_DOUBLE_EQ(curve.maximumKappa, 24 * std::log(2.0) / 0.1);  // the cap 1 - 2^-24, unit length 2 / 20
 }
 
+TEST(ExtinctionCurve, OpaqueIntervalsAreBridgedByWhatLiesBesideThem) {
+  const TransferFunction f{.points = {{0, {}, 0}, {0.3, {}, 0.2}, {0.3, {}, 1}, {0.5, {}, 1}, {0.5, {}, 0.4}, {0.8, {}, 0}, {0.8, {}, 1}, {1, {}, 1}}};
+  const ExtinctionCurve curve = makeCurve(f, {});
+  const ExtinctionCurve seen = withoutOpaque(curve);
+  EXPECT_TRUE(seen.opaque.empty());
+  const double perUnit = 1 / 0.1;  // unit length 2 / 20
+  EXPECT_NEAR(seen.at(0.3).kappa, -std::log(0.8) * perUnit, 1e-12);
+  EXPECT_NEAR(seen.at(0.5).kappa, -std::log(0.6) * perUnit, 1e-12);
+  EXPECT_NEAR(seen.at(0.9).kappa, 0, 1e-12);
+  for (double s : {0.0, 0.1, 0.2, 0.6, 0.7}) EXPECT_EQ(seen.at(s).kappa, curve.at(s).kappa) << s;
+}
+
+TEST(ExtinctionCurve, WhollyOpaqueBridgesToNothing) {
+  const TransferFunction f{.points = {{0, {}, 1}, {1, {}, 1}}};
+  EXPECT_EQ(withoutOpaque(makeCurve(f, {})).at(0.5).kappa, 0);
+}
+
 TEST(ExtinctionCurve, StepsAreKept) {
   const TransferFunction f{
       .points = {{0, {1, 0, 0}, 0.1}, {0.5, {1, 0, 0}, 0.1}, {0.5, {0, 0, 1}, 0.3}, {1, {0, 0, 1}, 0.3}}};
