@@ -104,8 +104,9 @@ TEST(EdgeMask, ClipsEdgesAtTheEyePlane) {
         const Vec3 p = mix(mesh.points[static_cast<std::size_t>(i)], mesh.points[static_cast<std::size_t>(j)], s / 40000.0);
         if (dot(view.forward, p) <= 0) continue;
         const Vec3 at = view.project(p);
-        for (int y = std::max(0, int(at.y) - 2); at.y < 42 && y < std::min(40.0, at.y + 2); ++y)
-          for (int x = std::max(0, int(at.x) - 2); at.x < 42 && x < std::min(40.0, at.x + 2); ++x) {
+        if (std::abs(at.x) > 100 || std::abs(at.y) > 100) continue;
+        for (int y = std::max(0, int(at.y) - 2); y < std::min(40.0, at.y + 2); ++y)
+          for (int x = std::max(0, int(at.x) - 2); x < std::min(40.0, at.x + 2); ++x) {
             double& d = nearest[static_cast<std::size_t>(40 * y + x)];
             d = std::min(d, std::hypot(x + 0.5 - at.x, y + 0.5 - at.y));
           }
