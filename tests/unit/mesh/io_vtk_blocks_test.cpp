@@ -35,7 +35,11 @@ vtkSmartPointer<vtkUnstructuredGrid> cubeAt(double x, bool reversed) {
   return grid;
 }
 
-void writeVtuPiece(vtkUnstructuredGrid* grid, const std::filesystem::path& file) {
+void writeVtuPiece(vtkUnstructuredGrid* grid, const std::filesystem::path& file, unsigned char ghost = 0) {
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->InsertNextValue(ghost);
+  grid->GetCellData()->AddArray(ghosts);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(grid);
@@ -45,6 +49,7 @@ void writeVtuPiece(vtkUnstructuredGrid* grid, const std::filesystem::path& file)
 constexpr const char* kTwoPieces = R"(<?xml version="1.0"?>
 <VTKFile type="PUnstructuredGrid" version="0.1" byte_order="LittleEndian"><PUnstructuredGrid GhostLevel="0">
 <PPointData><PDataArray type="Float64" Name="x"/></PPointData>
+<PCellData><PDataArray type="UInt8" Name="vtkGhostType"/></PCellData>
 <PPoints><PDataArray type="Float64" Name="Points" NumberOfComponents="3"/></PPoints>
 <Piece Source="0.vtu"/><Piece Source="1.vtu"/></PUnstructuredGrid></VTKFile>)";
 
@@ -66,19 +71,9 @@ TEST(VtkPieces, AreWeldedBeforeTheyAreCut) {
 
 TEST(VtkPieces, GhostCellsAreLeftOut) {
   const Folder folder;
-  const auto second = cubeAt(1, true);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->InsertNextValue(vtkDataSetAttributes::DUPLICATECELL);
-  second->GetCellData()->AddArray(ghosts);
-  writeVtuPiece(second, folder / "1.vtu");
+  writeVtuPiece(cubeAt(1, true), folder / "1.vtu", vtkDataSetAttributes::DUPLICATECELL);
   expectRefused(folder / "1.vtu", "no");  // nothing but a ghost
-  const auto first = cubeAt(0, false);
-  vtkNew<vtkUnsignedCharArray> none;
-  none->SetName(vtkDataSetAttributes::GhostArrayName());
-  none->InsertNextValue(0);
-  first->GetCellData()->AddArray(none);
-  writeVtuPiece(first, folder / "0.vtu");
+  writeVtuPiece(cubeAt(0, false), folder / "0.vtu");
   const TetMesh mesh = readMesh(folder.write("whole.pvtu", kTwoPieces));
   EXPECT_EQ(mesh.sourceCells, 1u);
   EXPECT_NEAR(volume(mesh), 1, 1e-12);
@@ -88,7 +83,7 @@ TEST(VtkPieces, GhostCellsAreLeftOut) {
 TEST(VtkPieces, AMissingPieceIsAnError) {
   const Folder folder;
   writeVtuPiece(cubeAt(0, false), folder / "0.vtu");
-  expectRefused(folder.write("whole.pvtu", kTwoPieces), "1.vtu");
+  expectRefused(folder.write("whole.pvtu", kTwoPieces), "piece 1");
 }
 
 TEST(Exodus, ElementBlocksBecomeOneMesh) {
