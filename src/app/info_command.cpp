@@ -6,7 +6,7 @@
 #include "app/commands.h"
 #include "app/mesh_report.h"
 #include "app/print_json.h"
-#include "app/table_names.h"
+#include "app/read_options.h"
 #include "core/progress.h"
 #include "mesh/read.h"
 
@@ -35,11 +35,11 @@ void info(InfoOptions& options) {
 void addInfoCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Counts, fields, ranges, quality and defects of a mesh");
   auto options = std::make_shared<InfoOptions>();
-  command->add_option("MESH", options->mesh, "Mesh: " + meshExtensions())->required();
-  command->add_option("--field", options->field,
-                      "The field to look at: NAME, NAME:x, point:NAME, ... (default: the one drawn)");
-  command->add_option("--q", options->read.plot3dSolution, "PLOT3D solution file (default: found beside the grid)");
-  command->add_option("--tetgen", options->read.tetgenSwitches, "TetGen's switches for a surface");
+  addReadOptions(*command, options->mesh, options->read);
+  command
+      ->add_option("--field", options->field,
+                   "The field to look at: NAME, NAME:x, point:NAME, ... (default: the one drawn)")
+      ->type_name("NAME");
   command->add_flag("--json", options->json, "Report as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors (and what --json asks for)");
   command->callback([options] { info(*options); });

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <new>
@@ -12,7 +10,7 @@ namespace {
 
 int fail(std::string message, int status) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "havs: {}\n", message);
+  std::fprintf(stderr, "havs: %s\n", message.c_str());
   return status;
 }
 

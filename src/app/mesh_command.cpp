@@ -1,11 +1,10 @@
 // havs mesh: tetrahedralises a surface, or converts a mesh; adds fields from expressions.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "app/commands.h"
-#include "app/table_names.h"
+#include "app/read_options.h"
 #include "core/error.h"
 #include "core/output_file.h"
 #include "core/progress.h"
@@ -66,14 +65,14 @@ void makeMesh(MeshOptions& options) {
 void addMeshCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("mesh", "Fill a surface with tetrahedra, or convert a mesh; add fields");
   auto options = std::make_shared<MeshOptions>();
-  command->add_option("INPUT", options->input, "Surface or mesh: " + meshExtensions())->required();
-  command->add_option("-o,--output", options->output, "Mesh: .vtu or .node (with its .ele)")->required();
-  command->add_option("--tetgen", options->read.tetgenSwitches,
-                      "TetGen's switches (default " + ReadOptions{}.tetgenSwitches + ")");
-  command->add_option("--q", options->read.plot3dSolution, "PLOT3D solution file (default: found beside the grid)");
+  addReadOptions(*command, options->input, options->read);
+  command->add_option("-o,--output", options->output, "Mesh: .vtu or .node (with its .ele)")
+      ->required()
+      ->type_name("FILE");
   command
       ->add_option("--scalar", options->scalars,
-                   "NAME=EXPRESSION in x, y, z: a field at the points; may be given several times")
+                   "A field at the points, from an expression in x, y, z; may be given several times")
+      ->type_name("NAME=EXPRESSION")
       ->take_all()
       ->expected(1);
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

@@ -44,10 +44,13 @@ void addRenderCommand(CLI::App& program) {
   addSceneOptions(*command, options->scene);
   const std::string group = "Output";
   command->add_option("-o,--output", options->outputs, "Picture: .png, .exr or .pfm; may be given several times")
+      ->type_name("FILE")
       ->take_all()
       ->expected(1)
       ->group(group);
-  command->add_option("--png-bits", options->pngBits, "Bits a channel: 8 (default) or 16")->group(group);
+  command->add_option("--png-bits", options->pngBits, "Bits a channel: 8 (default) or 16")
+      ->type_name("N")
+      ->group(group);
   command->add_flag("--json", options->json, "Report all that is known, as JSON")->group(group);
   command->add_flag("--quiet", options->quiet, "Print nothing but errors (and what --json asks for)")->group(group);
   command->callback([options] { render(*options); });

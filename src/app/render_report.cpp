@@ -4,6 +4,7 @@
 
 #include "app/mesh_report.h"
 #include "core/memory.h"
+#include "scene/methods.h"
 
 namespace havs {
 namespace {
@@ -78,25 +79,42 @@ Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vec
   return json;
 }
 
+namespace {
+
+std::string describeTransfer(const RenderReport& report) {
+  const char* meaning = report.meaning == OpacityMeaning::perUnit ? "opacity is that of a slab {:.6g} mesh units thick"
+                                                                  : "extinction is opacity / {:.6g} mesh units";
+  return fmt::format("{} over {:.6g} to {:.6g}; ", report.transferFunction, report.domain[0], report.domain[1]) +
+         fmt::format(fmt::runtime(meaning), report.unitLength);
+}
+
+std::string describeMethod(const Scene& scene, const RenderReport& report) {
+  const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
+  const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
+  return fmt::format("{} of {}, {} order, lookup {}{}, on {} ({})", scene.visibility, scene.k, scene.sort, scene.lookup,
+                     table, scene.device, report.renderer);
+}
+
+std::string describeTime(const StageTimes& stages) {
+  std::string text = fmt::format("{:.0f} ms in all", stages.median("total"));
+  for (const auto& [stage, milliseconds] : stages.medians())
+    if (stage != "total") text += fmt::format(", {} {:.0f}", stage, milliseconds);
+  return text;
+}
+
+}  // namespace
+
 std::string reportAsText(const Scene& scene, const RenderReport& report,
                          const std::vector<std::filesystem::path>& outputs) {
-  auto ms = [&](const char* stage) { return report.stages.median(stage); };
   std::string text;
   auto line = [&](const char* label, const std::string& content) { text += fmt::format("{:<9}{}\n", label, content); };
   line("mesh", fmt::format("{}: {} points, {} tetrahedra, {} faces", scene.mesh.filename().string(), report.points,
                            report.cells, report.faces));
   line("field", fmt::format("{} ({} data), {:.6g} to {:.6g}", report.field, report.centering, report.fieldRange[0],
                             report.fieldRange[1]));
-  line("transfer",
-       fmt::format("{}, {:.6g} to {:.6g}, opacity {} of {:.6g} mesh units", report.transferFunction, report.domain[0],
-                   report.domain[1], report.meaning == OpacityMeaning::perUnit ? "shown by a slab" : "as extinction",
-                   report.unitLength));
-  line("method", fmt::format("{}, k {}, {} order, lookup {} ({}^3 {}), {} ({})", scene.visibility, scene.k, scene.sort,
-                             scene.lookup, scene.tableSize, scene.tableFormat, scene.device, report.renderer));
-  line("time", fmt::format("{:.0f} ms in all: read {:.0f}, faces {:.0f}, table {:.0f}; a frame {:.0f}: order {:.0f}, "
-                           "upload {:.0f}, draw {:.0f}, flush {:.0f}",
-                           ms("total"), ms("read"), ms("faces"), ms("table"), frameMilliseconds(report.stages),
-                           ms("order"), ms("upload"), ms("draw"), ms("flush")));
+  line("transfer", describeTransfer(report));
+  line("method", describeMethod(scene, report));
+  line("time", describeTime(report.stages));
   line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
   for (const std::string& note : report.notes) line("note", note);
   for (const auto& output : outputs) line("picture", output.string());

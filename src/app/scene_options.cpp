@@ -20,68 +20,70 @@ namespace {
 
 const std::vector<std::string> kProjections{"perspective", "orthographic"};
 
+/// Adds an option to a group of the help. `value` names what is to be given, as the help shows it.
+template <class T>
+void add(CLI::App& command, const char* group, const char* name, T& variable, const char* value,
+         const std::string& description) {
+  command.add_option(name, variable, description)->type_name(value)->group(group);
+}
+
 void addInputOptions(CLI::App& command, SceneOptions& options) {
-  command.add_option("INPUT", options.mesh, "Mesh: " + meshExtensions())->required();
-  const std::string group = "Mesh and field";
-  command
-      .add_option("--field", options.field,
-                  "NAME, NAME:x, NAME:2, NAME:magnitude, point:NAME, cell:NAME (default: the first)")
-      ->group(group);
-  command.add_option("--q", options.plot3dSolution, "PLOT3D solution file (default: found beside the grid)")
-      ->group(group);
-  command.add_option("--tetgen", options.tetgenSwitches, "TetGen's switches for a surface")->group(group);
+  constexpr const char* kGroup = "Mesh and field";
+  command.add_option("INPUT", options.mesh, "Mesh: " + meshExtensions())->required()->type_name("");
+  add(command, kGroup, "--field", options.field, "NAME",
+      "Field, also NAME:x, NAME:2, NAME:magnitude, point:NAME, cell:NAME (default: the first)");
+  add(command, kGroup, "--q", options.plot3dSolution, "FILE", "PLOT3D's solution (default: found beside the grid)");
+  add(command, kGroup, "--tetgen", options.tetgenSwitches, "SWITCHES",
+      "TetGen's switches for a surface (default " + Scene{}.tetgenSwitches + ")");
 }
 
 void addTransferOptions(CLI::App& command, SceneOptions& options) {
-  const std::string group = "Transfer function";
-  command
-      .add_option("--tf", options.transferFunction,
-                  fmt::format("File (JSON, ParaView's JSON or XML, TF.bin) or preset (default {}):{}",
-                              Scene{}.transferFunction, rowsForHelp(transferPresets())))
-      ->group(group);
-  command.add_option("--unit-length", options.unitLength, "Length that opacity is meant for, in mesh units")
-      ->group(group);
-  command.add_option("--domain", options.domain, "LO,HI: data values of the transfer function's ends")->group(group);
+  constexpr const char* kGroup = "Transfer function";
+  add(command, kGroup, "--tf", options.transferFunction, "FILE|PRESET",
+      fmt::format("JSON, ParaView's JSON or XML, TF.bin, or a preset (default {}):{}", Scene{}.transferFunction,
+                  rowsForHelp(transferPresets())));
+  add(command, kGroup, "--unit-length", options.unitLength, "LENGTH",
+      "Thickness that opacity is meant for, in mesh units (default: the file's, else 1/20 of the diagonal)");
+  add(command, kGroup, "--domain", options.domain, "LOW,HIGH",
+      "Data values at the ends of the transfer function (default: the field's)");
 }
 
 void addPictureOptions(CLI::App& command, SceneOptions& options) {
-  const std::string group = "Camera and picture";
-  command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default 1024x1024)")->group(group);
-  command.add_option("--camera", options.camera, "AZIMUTH,ELEVATION[,ZOOM], a JSON object, or a file with one")
-      ->group(group);
-  command.add_option("--projection", options.projection, "perspective (default) or orthographic")->group(group);
-  command.add_option("--background", options.background, "white (default), black, none, '#rrggbb' or r,g,b")
-      ->group(group);
+  constexpr const char* kGroup = "Camera and picture";
+  add(command, kGroup, "--size", options.size, "WxH",
+      fmt::format("Pixels (default {}x{})", Scene{}.width, Scene{}.height));
+  add(command, kGroup, "--camera", options.camera, "CAMERA",
+      "AZIMUTH,ELEVATION[,ZOOM] in degrees, a JSON object, or a file with one");
+  add(command, kGroup, "--projection", options.projection, "NAME", "perspective (default) or orthographic");
+  add(command, kGroup, "--background", options.background, "COLOR",
+      "white (default), black, none, '#rrggbb' or r,g,b from 0 to 1");
 }
 
 void addMethodOptions(CLI::App& command, SceneOptions& options) {
-  const std::string group = "Method";
+  constexpr const char* kGroup = "Method";
   const Scene defaults;
-  command.add_option("--k", options.k, fmt::format("Entries of the k-buffer (default {})", defaults.k))->group(group);
   auto addTable = [&](const char* name, std::optional<std::string>& value, const char* what, const std::string& chosen,
                       const auto& rows) {
-    command.add_option(name, value, fmt::format("{} (default {}):{}", what, chosen, rowsForHelp(rows)))->group(group);
+    add(command, kGroup, name, value, "NAME", fmt::format("{} (default {}):{}", what, chosen, rowsForHelp(rows)));
   };
-  addTable("--visibility", options.visibility, "How fragments are put in order", defaults.visibility,
+  addTable("--device", options.device, "Where to draw", defaults.device, deviceRows());
+  addTable("--visibility", options.visibility, "How a pixel's fragments are ordered", defaults.visibility,
            visibilityMethods());
+  add(command, kGroup, "--k", options.k, "N", fmt::format("Entries of the k-buffer (default {})", defaults.k));
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
   addTable("--lookup", options.lookup, "How a segment's colour is found", defaults.lookup, lookups());
-  command
-      .add_option("--table", options.tableSize,
-                  fmt::format("Entries along each axis of the table (default {})", defaults.tableSize))
-      ->group(group);
+  add(command, kGroup, "--table", options.tableSize, "N",
+      fmt::format("Entries along each axis of the table (default {})", defaults.tableSize));
   addTable("--table-format", options.tableFormat, "Numbers of the table", defaults.tableFormat, tableFormats());
-  command
-      .add_option("--early-termination", options.earlyTermination, "Opacity at which a pixel is done (default: never)")
-      ->group(group);
+  add(command, kGroup, "--early-termination", options.earlyTermination, "OPACITY",
+      "Opacity at which a pixel is done (default: never)");
   command
       .add_flag("--composite-late", options.compositeLate,
                 "Composite misordered fragments as the paper does, instead of dropping them")
-      ->group(group);
-  command.add_flag("--paper", options.paper, "The paper's own choices; other options still count")->group(group);
-  addTable("--device", options.device, "Where to draw", defaults.device, deviceRows());
-  command.add_option("--threads", options.threads, "Threads (default: all cores)")->group(group);
-  command.add_option("--repeat", options.repeat, "Draw so many times and report medians")->group(group);
+      ->group(kGroup);
+  command.add_flag("--paper", options.paper, "The paper's own choices; further options change them")->group(kGroup);
+  add(command, kGroup, "--threads", options.threads, "N", "Threads (default: all cores)");
+  add(command, kGroup, "--repeat", options.repeat, "N", "Draw N times and report medians (default 1)");
 }
 
 std::string known(const char* option, const std::string& name, const std::vector<std::string>& names) {

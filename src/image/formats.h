@@ -7,10 +7,10 @@
 
 namespace havs {
 
-/// Each writes to `file` directly (image_file.cpp renames it when whole). Throws Error{running} when the disk refuses.
-void writePng(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
-void writeExr(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
-void writePfm(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
+/// Each writes to `file` directly (image_file.cpp renames it when whole); false, and errno set, when the disk refuses.
+bool writePng(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
+bool writeExr(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
+bool writePfm(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
 
 /// Each throws Error{input} for a file that is not whole or not of its format.
 Image readPng(const std::filesystem::path& file);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 
 #include "core/error.h"
 #include "core/output_file.h"
@@ -14,7 +16,7 @@ namespace {
 
 struct ImageFormat {
   std::string extension;
-  void (*write)(const Image&, const fs::path&, const ImageFileOptions&);
+  bool (*write)(const Image&, const fs::path&, const ImageFileOptions&);
   Image (*read)(const fs::path&);
 };
 
@@ -60,8 +62,11 @@ void checkImagePath(const fs::path& file) {
 void writeImage(const Image& image, const fs::path& file, const ImageFileOptions& options) {
   const ImageFormat& format = formatOf(file);
   if (image.width <= 0 || image.height <= 0) failInput("the picture has no pixels", file.string());
+  if (options.pngBits != 8 && options.pngBits != 16)
+    failInput(fmt::format("PNG has 8 or 16 bits a channel, not {}", options.pngBits), file.string());
   OutputFile output(file);
-  format.write(image, output.temporary(), options);
+  if (!format.write(image, output.temporary(), options))
+    failRunning(fmt::format("writing failed: {}", std::strerror(errno)), file.string(), "is the disk full?");
   output.commit();
 }
 

@@ -15,7 +15,7 @@ namespace havs {
 namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "PFM rows are written as they lie in memory");
 
-void writePfm(const Image& image, const fs::path& file, const ImageFileOptions& options) {
+bool writePfm(const Image& image, const fs::path& file, const ImageFileOptions& options) {
   const Color background = options.background.value_or(Color{0, 0, 0});
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
   stream << fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
@@ -28,7 +28,7 @@ void writePfm(const Image& image, const fs::path& file, const ImageFileOptions& 
     stream.write(reinterpret_cast<const char*>(row.data()), static_cast<std::streamsize>(row.size() * sizeof(float)));
   }
   stream.close();
-  if (!stream) failRunning("writing the image failed", file.string(), "is the disk full?");
+  return stream.good();
 }
 
 namespace {

@@ -25,7 +25,7 @@ class BadInput : public RefusedRun {
     folder.write("triangle.vtk", kTriangleVtk);
     folder.write("broken.vtu", "<VTKFile type=\"UnstructuredGrid\"><Unstruc");
     folder.write("broken.json", "{\"points\": [");
-    folder.write("unordered.json", R"({"points": [{"scalar": 1, "color": [1, 1, 1], "opacity": 7}]})");
+    folder.write("unordered.json", R"({"version": 1, "points": [{"scalar": 1, "color": [1, 1, 1], "opacity": 7}]})");
     folder.write("open.poly", "3 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n1 0\n1\n3 0 1 2\n0\n0\n");
   }
 
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Refused{"MissingFile", {"render", "missing.node", "-o", "a.png"}, "missing.node"},
                     Refused{"Directory", {"render", "folder.vtk", "-o", "a.png"}, "director"},
                     Refused{"EmptyFile", {"render", "empty.node", "-o", "a.png"}, "empty"},
-                    Refused{"UnknownExtension", {"render", "picture.jpg", "-o", "a.png"}, ".vtu"},
+                    Refused{"UnknownExtension", {"render", "picture.jpg", "-o", "a.png"}, "known: .node"},
                     Refused{"NodeWithoutEle", {"render", "lonely.node", "-o", "a.png"}, "lonely.ele"},
                     Refused{"TruncatedPoints", {"render", "cut.node", "-o", "a.png"}, "cut.node"},
                     Refused{"TruncatedCells", {"render", "cutcells.ele", "-o", "a.png"}, "cutcells.ele"},
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"NegativeIndex", {"render", "negative.ele", "-o", "a.png"}, "negative.ele"},
                     Refused{"ZeroCells", {"render", "nocells.ele", "-o", "a.png"}, "nocells"},
                     Refused{"HugeCount", {"render", "huge.node", "-o", "a.png"}, "huge.node"},
-                    Refused{"OnlyFlatCells", {"render", "flat.node", "-o", "a.png"}, "no "},
+                    Refused{"OnlyFlatCells", {"render", "flat.node", "-o", "a.png"}, "encloses a volume"},
                     Refused{"NoFiniteScalar", {"render", "nan.node", "-o", "a.png"}, "finite"},
                     Refused{"NoField", {"render", "nofield.node", "-o", "a.png"}, "field"},
                     Refused{"OnlySurfaces", {"render", "triangle.vtk", "-o", "a.png"}, "triangle.vtk"},

@@ -19,7 +19,7 @@ class Render : public testing::Test {
   /// havs render cube.node, small and quick, and these; must succeed without a word on standard error.
   std::string render(std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "cube.node", "--size", "48x32", "--table", "16"});
-    const Run run = runHavs(options, folder.path());
+    const Outcome run = runHavs(options, folder.path());
     EXPECT_EQ(run.status, 0) << run.error;
     EXPECT_EQ(run.error, "");
     return run.output;
@@ -143,7 +143,7 @@ TEST_F(Render, LeavesOnlyThePicture) {
 
 TEST(Help, ListsTheRowsOfEveryTable) {
   const TemporaryFolder folder;
-  const Run run = runHavs({"render", "--help"}, folder.path());
+  const Outcome run = runHavs({"render", "--help"}, folder.path());
   EXPECT_EQ(run.status, 0);
   for (const char* name :
        {"osmesa", "egl", "kbuffer", "centroid", "topological", "3d", "post", "rainbow", ".node", "--paper"})
@@ -152,14 +152,14 @@ TEST(Help, ListsTheRowsOfEveryTable) {
 
 TEST(Help, OfTheProgramNamesTheCommands) {
   const TemporaryFolder folder;
-  const Run run = runHavs({"--help"}, folder.path());
+  const Outcome run = runHavs({"--help"}, folder.path());
   EXPECT_EQ(run.status, 0);
   for (const char* name : {"render", "info", "mesh"}) EXPECT_THAT(run.output, HasSubstr(name));
 }
 
 TEST(Version, IsPrinted) {
   const TemporaryFolder folder;
-  const Run run = runHavs({"--version"}, folder.path());
+  const Outcome run = runHavs({"--version"}, folder.path());
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.output, testing::MatchesRegex("havs [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }

@@ -15,7 +15,7 @@ class Info : public testing::Test {
  protected:
   std::string info(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "info");
-    const Run run = runHavs(arguments, folder.path());
+    const Outcome run = runHavs(arguments, folder.path());
     EXPECT_EQ(run.status, 0) << run.error;
     EXPECT_EQ(run.error, "");
     return run.output;

@@ -12,12 +12,12 @@ class Mesh : public testing::Test {
  protected:
   void mesh(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "mesh");
-    const Run run = runHavs(arguments, folder.path());
+    const Outcome run = runHavs(arguments, folder.path());
     EXPECT_EQ(run.status, 0) << run.error;
     EXPECT_EQ(run.error, "");
   }
   nlohmann::json infoOf(const std::string& name) {
-    const Run run = runHavs({"info", name, "--json"}, folder.path());
+    const Outcome run = runHavs({"info", name, "--json"}, folder.path());
     EXPECT_EQ(run.status, 0) << run.error;
     return nlohmann::json::parse(run.output);
   }

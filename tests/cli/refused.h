@@ -36,7 +36,7 @@ class RefusedRun : public testing::TestWithParam<Refused> {
   /// The exit status, one line with the reason, nothing printed, and no file more than before.
   void expectRefused(const Refused& refused, const Preparation& prepare = {}) {
     const auto before = contentsOf(folder.path());
-    const Run run = runHavs(refused.arguments, folder.path(), prepare);
+    const Outcome run = runHavs(refused.arguments, folder.path(), prepare);
     EXPECT_EQ(run.status, refused.status) << run.error;
     EXPECT_EQ(run.output, "");
     EXPECT_THAT(run.error, testing::StartsWith("havs: "));

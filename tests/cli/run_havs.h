@@ -15,7 +15,7 @@
 namespace havs::test {
 
 /// How a run of the built program ended.
-struct Run {
+struct Outcome {
   int status = 0;  ///< exit status; the negative signal when one ended it
   std::string output;
   std::string error;
@@ -25,8 +25,8 @@ struct Run {
 using Preparation = std::function<void()>;
 
 /// Runs `havs ARGUMENTS` in `folder`, without a terminal.
-inline Run runHavs(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                   const Preparation& prepare = {}) {
+inline Outcome runHavs(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                       const Preparation& prepare = {}) {
   const TemporaryFolder streams;
   const std::string output = streams / "output";
   const std::string error = streams / "error";

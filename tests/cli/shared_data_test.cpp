@@ -19,7 +19,7 @@ class SharedData : public testing::Test {
   }
   static std::string file(const std::string& name) { return (fs::path(HAVS_SHARED_DATA) / name).string(); }
   nlohmann::json infoOf(const std::string& name) {
-    const Run run = runHavs({"info", file(name), "--json"}, folder.path());
+    const Outcome run = runHavs({"info", file(name), "--json"}, folder.path());
     EXPECT_EQ(run.status, 0) << run.error;
     return nlohmann::json::parse(run.output);
   }
@@ -43,8 +43,8 @@ class DrawnData : public SharedData, public testing::WithParamInterface<const ch
 
 TEST_P(DrawnData, FillsAPartOfThePicture) {
   if (!fs::exists(file(GetParam()))) GTEST_SKIP() << "no " << GetParam();
-  const Run run = runHavs({"render", file(GetParam()), "-o", "a.exr", "--size", "64x64", "--table", "16", "--quiet"},
-                          folder.path());
+  const Outcome run = runHavs(
+      {"render", file(GetParam()), "-o", "a.exr", "--size", "64x64", "--table", "16", "--quiet"}, folder.path());
   ASSERT_EQ(run.status, 0) << run.error;
   const Image image = readImage(folder / "a.exr");
   int seen = 0;

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "core/error.h"
 #include "support/gl_test.h"
@@ -64,6 +67,28 @@ TEST(Devices, FollowOneAnotherInOneProcess) {
       EXPECT_EQ(buffer.read<int>(2), (std::vector<int>{4, 5})) << name;
     }
   }
+}
+
+// llvmpipe calls its threads by its own name.
+int rasteriserThreads() {
+  int count = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream file(task.path() / "comm");
+    std::string name;
+    count += std::getline(file, name) && name.starts_with("llvmpipe");
+  }
+  return count;
+}
+
+TEST(Devices, ThreadsAreThoseOfLlvmpipe) {
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "no /proc";
+  const int before = rasteriserThreads();  // OSMesa keeps its own to the end of the process
+  for (int threads : {1, 3}) {
+    const auto device = makeDevice("egl", static_cast<std::size_t>(threads));
+    if (device->renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "a GPU draws";
+    EXPECT_EQ(rasteriserThreads() - before, threads);
+  }
+  unsetenv("LP_NUM_THREADS");
 }
 
 TEST(Devices, UnknownNameIsAnInputErrorThatNamesTheNearest) {

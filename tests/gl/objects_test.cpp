@@ -87,6 +87,12 @@ TEST_P(Objects, MoreMemoryThanThereIsIsAnError) {
   EXPECT_THAT(errorOf([] { Buffer("huge", std::size_t(1) << 62); }), HasSubstr("huge"));
 }
 
+TEST_P(Objects, ATargetOfFourGigabytesIsOutOfMemoryOnLlvmpipe) {
+  if (device_->renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "a GPU may have it";
+  EXPECT_THAT(errorOf([] { Texture::image2D("4 GB", GL_RGBA32F, 16384, 16384); }),
+              AllOf(HasSubstr("out of memory"), HasSubstr("'4 GB'"), HasSubstr("--size")));
+}
+
 TEST_P(Objects, TextureBeyondTheLimitsIsAnError) {
   const int size = limits().textureSize;
   EXPECT_THAT(
