@@ -78,6 +78,7 @@ void limitChild() {
   limitChild();
   dup2(printed, STDOUT_FILENO);
   dup2(printed, STDERR_FILENO);
+  std::setvbuf(stdout, nullptr, _IONBF, 0);  // or what was printed before a crash would be lost
   try {
     ByteWriter writer(reply);
     work(writer);

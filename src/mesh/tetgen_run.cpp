@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <string_view>
 
 #include "core/error.h"
 #include "mesh/isolated.h"
@@ -14,6 +15,7 @@ namespace {
 
 // What the child says first: how TetGen ended. The numbers are those that TetGen throws.
 constexpr int kDone = 0, kOutOfMemory = 1, kSelfIntersection = 3, kSmallFeature = 4, kCloseFacets = 5, kInputError = 10;
+constexpr int kCrash = -1;  // our own: TetGen 1.5 often crashes while it frees what it has, on its way to throw
 
 // TetGen frees what it is given with delete[], so it is made with new[].
 template <class T>
@@ -140,30 +142,40 @@ TetMesh receiveMesh(ByteReader& reply, const Surface& surface) {
   return mesh;
 }
 
-/// The first lines that TetGen printed, as one phrase: they name the facets concerned.
-std::string hint(const std::string& printed) {
-  constexpr std::size_t kLongest = 160;
-  std::string text = printed.substr(0, kLongest);
-  std::ranges::replace(text, '\n', ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text.empty() ? "" : " (TetGen: " + text + ")";
+/// The first line of what TetGen printed that names a fault of the surface; empty: none.
+std::string faultIn(const std::string& printed) {
+  for (const std::string_view sign : {"intersects", "duplicated"}) {
+    const std::size_t at = printed.find(sign);
+    if (at == std::string::npos) continue;
+    const std::size_t begin = printed.find_first_not_of(" \n", printed.rfind('\n', at));
+    return printed.substr(begin, printed.find_first_of("\n.:", at) - begin);
+  }
+  return {};
 }
 
-[[noreturn]] void failWith(int code, const std::string& printed, const std::string& where) {
-  const std::string said = hint(printed);
+/// "Facet #1 intersects facet #6 at triangles", facets counted from 1: found by TetGen's own search for faults.
+std::string searchFault(const Surface& surface) {
+  return faultIn(runIsolated([&](ByteWriter& reply) { fill(surface, "pd", reply); }).printed);
+}
+
+[[noreturn]] void failWith(int code, std::string fault, const Surface& surface, const std::string& where) {
+  if (code == kOutOfMemory) failRunning("TetGen runs out of memory", where, "allow larger tetrahedra (switch a)");
+  if (fault.empty()) fault = searchFault(surface);
+  if (!fault.empty())
+    failInput("the surface intersects itself (TetGen: " + fault + ")", where, "mend it there; facets count from 1");
   switch (code) {
-    case kOutOfMemory:
-      failRunning("TetGen runs out of memory" + said, where, "allow larger tetrahedra (switch a)");
     case kSelfIntersection:
-      failInput("the surface intersects itself" + said, where, "mend it where its facets cross");
+      failInput("the surface intersects itself", where, "mend it where its facets cross");
     case kSmallFeature:
-      failInput("the surface has a feature too small for TetGen" + said, where, "try a smaller tolerance, switch T1e-12");
+      failInput("the surface has a feature too small for TetGen", where, "try a smaller tolerance, switch T1e-12");
     case kCloseFacets:
-      failInput("two facets of the surface are too close to each other" + said, where, "try switch Y, or mend the surface");
+      failInput("two facets of the surface are too close to each other", where, "try switch Y, or mend the surface");
     case kInputError:
-      failInput("TetGen cannot use the surface" + said, where, "is it closed, and are its facets flat?");
+      failInput("TetGen cannot use the surface", where, "is it closed, and are its facets flat?");
+    case kCrash:
+      failInput("TetGen breaks down on it", where, "is the surface closed, are its facets flat and far enough apart?");
     default:
-      failInput("TetGen fails on it with code " + std::to_string(code) + said, where, "try other switches");
+      failInput("TetGen fails on it with code " + std::to_string(code), where, "try other switches, Y or T1e-12");
   }
 }
 
@@ -171,10 +183,8 @@ std::string hint(const std::string& printed) {
 
 TetMesh runTetgen(const Surface& surface, const std::string& command, const std::string& where) {
   IsolatedRun run = runIsolated([&](ByteWriter& reply) { fill(surface, command, reply); });
-  if (!run.death.empty())
-    failInput("TetGen breaks down on it (" + run.death + ")" + hint(run.printed), where,
-              "does the surface intersect itself, or are facets not flat?");
-  if (const int code = run.reply.get<int>(); code != kDone) failWith(code, run.printed, where);
+  const int code = run.death.empty() ? run.reply.get<int>() : kCrash;
+  if (code != kDone) failWith(code, faultIn(run.printed), surface, where);
   TetMesh mesh = receiveMesh(run.reply, surface);
   if (mesh.tetrahedra.empty())
     failInput("the surface encloses nothing, TetGen makes no tetrahedra", where, "is it closed, and no hole point too many?");

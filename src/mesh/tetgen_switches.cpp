@@ -39,7 +39,7 @@ constexpr Switch kSwitches[] = {
     {'c', 0, {0, 0}, {0, 0}},            // keep the convex hull
     {'D', 1, {0, 0}, {7, 0}},            // conforming Delaunay
     {'V', 0, {0, 0}, {0, 0}},            // verbose
-    {'Q', 0, {0, 0}, {0, 0}},            // quiet
+    {'Q', 0, {0, 0}, {0, 0}},            // quiet: it always is
 };
 
 std::string knownLetters() {
@@ -89,8 +89,8 @@ std::string tetgenCommand(const std::string& switches) {
     text.remove_prefix(1);
     takeNumbers(text, *known, where);
   }
-  for (const char needed : {'p', 'Q'})
-    if (command.find(needed) == std::string::npos) command += needed;
+  std::erase(command, 'Q');
+  if (command.find('p') == std::string::npos) command += 'p';
   return command;
 }
 

@@ -1,5 +1,6 @@
 #include "mesh/vtk/module/conversion.h"
 
+#include <unistd.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
@@ -23,11 +24,19 @@ namespace {
 
 constexpr std::size_t kMostPoints = kNoIndex;  // point numbers are 32 bits wide
 
-/// Data that no cell refers to are no mesh yet claim no bytes of the file: image data with a huge extent, say.
 std::size_t checkedPoints(vtkIdType points) {
   if (points < 0 || static_cast<std::size_t>(points) >= kMostPoints)
     throw std::runtime_error("it has " + std::to_string(points) + " points, more than can be numbered");
   return static_cast<std::size_t>(points);
+}
+
+/// A grid's size is a claim of its header alone, as its points need not be in the file.
+void checkMemory(std::size_t points) {
+  constexpr double kBytesEach = 24 + 5 * 16;  // a point and the tetrahedra of its cell
+  const double needed = kBytesEach * static_cast<double>(points);
+  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed > machine)
+    throw std::runtime_error("its " + std::to_string(points) + " grid points become more tetrahedra than memory holds");
 }
 
 std::vector<Vec3> pointsOf(vtkDataSet& data) {
@@ -121,6 +130,7 @@ bool convertStructured(Grid& grid, GridSink& sink) {
     if (size[axis] < 2) return false;
     block.size[axis] = static_cast<std::size_t>(size[axis]);
   }
+  checkMemory(checkedPoints(grid.GetNumberOfPoints()));
   block.points = pointsOf(grid);
   block.blank = blankOf(grid);
   block.hiddenCell = hiddenCells(grid);

@@ -112,10 +112,8 @@ struct VtkFormat {
 };
 
 constexpr VtkFormat kFormats[] = {
-    {".vtk", readLegacy},  {".vtu", readXml},    {".pvtu", readXml},   {".vti", readXml},      {".pvti", readXml},
-    {".vts", readXml},     {".pvts", readXml},   {".vtr", readXml},    {".pvtr", readXml},     {".vtm", readXml},
-    {".ex2", readExodus},  {".exo", readExodus}, {".e", readExodus},   {".exii", readExodus},  {".g", readExodus},
-    {".case", readEnSight}, {".encas", readEnSight}, {".cgns", readCgns},
+    {".vtk", readLegacy}, {".vtu", readXml},    {".pvtu", readXml},   {".vti", readXml}, {".vts", readXml},     {".vtr", readXml},
+    {".ex2", readExodus}, {".exo", readExodus}, {".e", readExodus}, {".case", readEnSight}, {".cgns", readCgns},
 };
 
 }  // namespace
