@@ -57,7 +57,7 @@ CONSTANT Scalar kDepthLimit = Scalar(1.0e15);              // its square is fini
 
 FUNCTION Real atMost(Real value, Real limit) { return select(value < limit, value, limit); }
 
-// Fraction of the way, at most 1, at which the optical depth reaches kDeepest: the root in the form without cancellation.
+// Fraction of the way, at most 1, at which the optical depth reaches kDeepest: the root in a form that does not cancel.
 FUNCTION Real reachOfLight(Real opticalFront, Real opticalBack) {
   Real depth = Real(0.5) * (opticalFront + opticalBack);
   Real deepest = Real(kDeepest);

@@ -75,11 +75,11 @@ void CellCutter::cutFromLowestPoint(const CellShape& shape, std::span<const Inde
     if (!contains(t, lowest)) add({lowest, t[0], t[1], t[2]});
 }
 
-/// When no face's diagonal ends in `opposite`, three tetrahedra of the cone share the edge from `lowest` to it; the corner
-/// tetrahedron of `opposite` and one in the middle take their place: the hexahedron's cut in five.
+/// When no face's diagonal ends in `opposite`, three tetrahedra of the cone share the edge from `lowest` to it; the
+/// corner tetrahedron of `opposite` and one in the middle take their place: the hexahedron's cut in five.
 bool CellCutter::replaceThreeByTwo(Index lowest, Index opposite) {
-  const auto touching = std::partition(surface_.begin(), surface_.end(),
-                                       [&](const Triangle& t) { return !contains(t, opposite); });
+  const auto touching =
+      std::partition(surface_.begin(), surface_.end(), [&](const Triangle& t) { return !contains(t, opposite); });
   if (surface_.end() - touching != 3) return false;
   const Triangle first = startingAt(opposite, touching[0]);
   const Triangle second = startingAt(opposite, touching[1]);
@@ -99,8 +99,8 @@ void CellCutter::cutFromCentre(const CellShape& shape, std::span<const Index> co
   for (const Triangle& t : surface_) add({centre, t[0], t[1], t[2]});
 }
 
-/// Mid nodes in VTK's order: 4 on edge 01, 5 on 12, 6 on 02, 7 on 03, 8 on 13, 9 on 23. The octahedron between them is cut
-/// at its shortest diagonal, inside the cell, where no neighbour sees it.
+/// Mid nodes in VTK's order: 4 on edge 01, 5 on 12, 6 on 02, 7 on 03, 8 on 13, 9 on 23. The octahedron between them is
+/// cut at its shortest diagonal, inside the cell, where no neighbour sees it.
 void CellCutter::cutQuadraticTetra(std::span<const Index> p) {
   add({p[0], p[4], p[6], p[7]});
   add({p[4], p[1], p[5], p[8]});
@@ -110,13 +110,11 @@ void CellCutter::cutQuadraticTetra(std::span<const Index> p) {
     int from, to;
     std::array<int, 4> ring;
   };
-  constexpr std::array<Diagonal, 3> kDiagonals = {
-      {{4, 9, {5, 6, 7, 8}}, {5, 7, {6, 4, 8, 9}}, {6, 8, {4, 5, 9, 7}}}};
+  constexpr std::array<Diagonal, 3> kDiagonals = {{{4, 9, {5, 6, 7, 8}}, {5, 7, {6, 4, 8, 9}}, {6, 8, {4, 5, 9, 7}}}};
   const auto at = [&](int i) { return p[static_cast<std::size_t>(i)]; };
   const auto length = [&](const Diagonal& d) { return glm::length(points_[at(d.to)] - points_[at(d.from)]); };
-  const Diagonal& shortest = *std::min_element(kDiagonals.begin(), kDiagonals.end(), [&](const auto& a, const auto& b) {
-    return length(a) < length(b);
-  });
+  const Diagonal& shortest = *std::min_element(kDiagonals.begin(), kDiagonals.end(),
+                                               [&](const auto& a, const auto& b) { return length(a) < length(b); });
   for (std::size_t i = 0; i < 4; ++i)
     add({at(shortest.from), at(shortest.to), at(shortest.ring[i]), at(shortest.ring[(i + 1) % 4])});
 }

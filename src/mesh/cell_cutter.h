@@ -11,8 +11,8 @@ namespace havs {
 /// Cuts one cell after the other, appending tetrahedra and, where a cell needs one, a point in its middle.
 ///
 /// A linear cell becomes the cone from its lowest point number over the faces that do not touch that point, each face
-/// fanned from its own lowest point number. So a quadrilateral is cut at the same diagonal from both sides, and pyramids, wedges
-/// and hexahedra come out as in Dompierre, Labbe, Vallet, Camarero 1999.
+/// fanned from its own lowest point number. So a quadrilateral is cut at the same diagonal from both sides, and
+/// pyramids, wedges and hexahedra come out as in Dompierre, Labbe, Vallet, Camarero 1999.
 class CellCutter {
  public:
   CellCutter(std::vector<Vec3>& points, std::vector<Field>& pointFields) : points_(points), pointFields_(pointFields) {}

@@ -22,9 +22,8 @@ CellState stateOf(const std::vector<Vec3>& points, const Tetrahedron& t) {
   a /= size;
   b /= size;
   c /= size;
-  const double longestSquared =
-      std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c), glm::dot(b - a, b - a), glm::dot(c - a, c - a),
-                glm::dot(c - b, c - b)});
+  const double longestSquared = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c), glm::dot(b - a, b - a),
+                                          glm::dot(c - a, c - a), glm::dot(c - b, c - b)});
   const double volume = glm::dot(glm::cross(a, b), c) / 6;
   if (std::abs(volume) <= 1e-15 * longestSquared * std::sqrt(longestSquared)) return CellState::flat;
   return volume > 0 ? CellState::sound : CellState::inverted;

@@ -20,8 +20,8 @@ struct CellShape {
   const char* name = nullptr;  ///< plural, for messages; null for a number that is no type
   CutRule rule = CutRule::leaveOut;
   std::uint8_t pointCount = 0;  ///< 0: differs from cell to cell
-  /// The surface of a solid cell as polygons of its points, turned outward when the cell's Jacobian is positive in VTK's
-  /// parametric coordinates. The faces of quadratic cells appear divided at their mid nodes.
+  /// The surface of a solid cell as polygons of its points, turned outward when the cell's Jacobian is positive in
+  /// VTK's parametric coordinates. The faces of quadratic cells appear divided at their mid nodes.
   std::vector<std::vector<std::uint8_t>> facets;
   std::int8_t centreNode = -1;  ///< the point in the middle, where the type has one
 };

@@ -69,10 +69,9 @@ void noteLeftOut(const std::array<std::size_t, 256>& count, std::vector<std::str
 
 void noteDegenerate(const CellCutter& cutter, std::vector<std::string>& notes) {
   if (cutter.degenerateCells() > 0)
-    notes.push_back(fmt::format("{} cells name a point more than once: their pieces of no volume are left out{}",
-                                cutter.degenerateCells(),
-                                cutter.collapsedCells() > 0
-                                    ? fmt::format(" ({} of them have no volume at all)", cutter.collapsedCells())
+    notes.push_back(fmt::format(
+        "{} cells name a point more than once: their pieces of no volume are left out{}", cutter.degenerateCells(),
+        cutter.collapsedCells() > 0 ? fmt::format(" ({} of them have no volume at all)", cutter.collapsedCells())
                                     : std::string{}));
 }
 
@@ -109,8 +108,9 @@ TetMesh cutIntoTetrahedra(CellSoup cells, const std::string& where) {
   noteLeftOut(count, mesh.notes);
   noteDegenerate(cutter, mesh.notes);
   if (mesh.sourceCells == 0)
-    failInput("there are no solid cells, only points, lines or surfaces", where,
-              "a volume needs tetrahedra or other solid cells; a closed surface can be filled by TetGen (.stl, .ply, .off)");
+    failInput(
+        "there are no solid cells, only points, lines or surfaces", where,
+        "a volume needs tetrahedra or other solid cells; a closed surface can be filled by TetGen (.stl, .ply, .off)");
   if (cutter.tetrahedra().empty()) failInput("no cell encloses a volume", where, "every cell names points twice");
 
   mesh.tetrahedra = std::move(cutter.tetrahedra());

@@ -129,7 +129,9 @@ TetMesh repairMesh(TetMesh mesh) {
   const std::vector<char> duplicate = duplicateCells(mesh);
   const std::size_t cells = mesh.tetrahedra.size();
   const auto count = [&](CellState state) {
-    return tally(cells, [&](std::size_t i) { return states[i] == state && (state == CellState::notFinite || !duplicate[i]); }).count;
+    return tally(cells,
+                 [&](std::size_t i) { return states[i] == state && (state == CellState::notFinite || !duplicate[i]); })
+        .count;
   };
   note(mesh, count(CellState::inverted), "inverted cells were turned");
   note(mesh, count(CellState::flat), "flat cells were left out");

@@ -41,8 +41,8 @@ Field fieldFromExpression(const TetMesh& mesh, const std::string& name, const st
       for (std::size_t i = begin; i < end; ++i) field.values[i] = value(mesh.points[i]);
     });
   } catch (const mu::ParserError& error) {
-    failInput(fmt::format("{} (position {})", error.GetMsg(), error.GetPos()), fmt::format("expression '{}'", expression),
-              "write it in x, y and z, for example sqrt(x^2 + y^2)");
+    failInput(fmt::format("{} (position {})", error.GetMsg(), error.GetPos()),
+              fmt::format("expression '{}'", expression), "write it in x, y and z, for example sqrt(x^2 + y^2)");
   }
   return field;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// The readers and writers behind the table of formats (read.cpp): one function each, in the file named beside it. The path
-// is known to be a file that exists and is not empty, or a directory entry of the same stem (.node for .ele).
-// All throw Error{input} for broken content and Error{running} for failures of the machine.
+// The readers and writers behind the table of formats (read.cpp): one function each, in the file named beside it. The
+// path is known to be a file that exists and is not empty, or a directory entry of the same stem (.node for .ele). All
+// throw Error{input} for broken content and Error{running} for failures of the machine.
 #include <filesystem>
 
 #include "mesh/read.h"
@@ -17,7 +17,8 @@ TetMesh readUcd(const std::filesystem::path& file, const ReadOptions& options);
 TetMesh readWithVtk(const std::filesystem::path& file, const ReadOptions& options);
 /// PLOT3D grid and solution (plot3d.cmake lists the sources). Only with HAVS_WITH_PLOT3D.
 TetMesh readPlot3d(const std::filesystem::path& file, const ReadOptions& options);
-/// A surface (.poly .smesh .stl .off .ply) filled by TetGen (tetgen.cmake lists the sources). Only with HAVS_WITH_TETGEN.
+/// A surface (.poly .smesh .stl .off .ply) filled by TetGen (tetgen.cmake lists the sources). Only with
+/// HAVS_WITH_TETGEN.
 TetMesh tetrahedralise(const std::filesystem::path& file, const ReadOptions& options);
 
 /// Writes `stem`.node and `stem`.ele beside it (node_ele_writer.cpp).

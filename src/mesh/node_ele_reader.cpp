@@ -27,7 +27,8 @@ struct Pair {
 Pair pairOf(const fs::path& file) {
   std::string extension = file.extension().string();
   const bool upper = extension.size() > 1 && extension[1] < 'a';
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   const bool isNode = extension == ".node";
   const char* kOther[2] = {isNode ? ".ele" : ".node", isNode ? ".ELE" : ".NODE"};
   for (const bool wanted : {upper, !upper}) {
@@ -82,7 +83,8 @@ Points readPoints(const fs::path& file) {
     if (!in.nextLine())
       in.fail(fmt::format("the file ends after {} of {} points", i, count), "is it cut short, or its header wrong?");
     const std::int64_t number = in.integer("a point's number");
-    if (i == 0 && number != 0 && number != 1) in.fail(fmt::format("the first point's number is {}", number), "start at 0 or at 1");
+    if (i == 0 && number != 0 && number != 1)
+      in.fail(fmt::format("the first point's number is {}", number), "start at 0 or at 1");
     if (i == 0) points.firstNumber = number;
     checkNumber(in, number, points.firstNumber + static_cast<std::int64_t>(i), "point");
     const double x = in.real("x");
@@ -130,7 +132,8 @@ Cells readCells(const fs::path& file, const Points& points) {
   std::int64_t firstNumber = 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (!in.nextLine())
-      in.fail(fmt::format("the file ends after {} of {} tetrahedra", i, count), "is it cut short, or its header wrong?");
+      in.fail(fmt::format("the file ends after {} of {} tetrahedra", i, count),
+              "is it cut short, or its header wrong?");
     const std::int64_t number = in.integer("a tetrahedron's number");
     if (i == 0) firstNumber = number;
     checkNumber(in, number, firstNumber + static_cast<std::int64_t>(i), "tetrahedron");
@@ -187,8 +190,8 @@ TetMesh readNodeEle(const fs::path& file, const ReadOptions&) {
   if (hasMarkers) mesh.notes.push_back("left out the boundary markers of the points");
   for (int i = 0; i < 2; ++i)
     if (longLines[i] > 0)
-      mesh.notes.push_back(fmt::format("left out what {} lines of {} hold beyond the columns of its header", longLines[i],
-                                       (i == 0 ? pair.node : pair.ele).filename().string()));
+      mesh.notes.push_back(fmt::format("left out what {} lines of {} hold beyond the columns of its header",
+                                       longLines[i], (i == 0 ? pair.node : pair.ele).filename().string()));
   return mesh;
 }
 

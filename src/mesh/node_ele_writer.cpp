@@ -48,9 +48,7 @@ Text eleText(const TetMesh& mesh) {
   return text;
 }
 
-void writeText(OutputFile& file, const Text& text) {
-  file.write(std::as_bytes(std::span(text.data(), text.size())));
-}
+void writeText(OutputFile& file, const Text& text) { file.write(std::as_bytes(std::span(text.data(), text.size()))); }
 
 }  // namespace
 

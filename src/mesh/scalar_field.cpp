@@ -127,8 +127,7 @@ void setRange(const TetMesh& mesh, ScalarField& field) {
   else
     for (const Tetrahedron& t : mesh.tetrahedra)
       for (const Index point : t) include(field.values[point]);
-  if (low > high)
-    failInput(fmt::format("the field '{}' has no finite value", field.name), "", "choose another field");
+  if (low > high) failInput(fmt::format("the field '{}' has no finite value", field.name), "", "choose another field");
   field.minimum = low;
   field.maximum = high;
 }

@@ -1,5 +1,6 @@
 // Cells (and faces) of the same points are found by sorting them into buckets by their lowest point number, a counting
-// sort; the few in a bucket are then sorted by their other points. Ties go by cell number, so nothing depends on threads.
+// sort; the few in a bucket are then sorted by their other points. Ties go by cell number, so nothing depends on
+// threads.
 #include "mesh/shared_corners.h"
 
 #include <algorithm>
@@ -20,8 +21,9 @@ struct Entry {
   bool operator<(const Entry& b) const { return others != b.others ? others < b.others : cell < b.cell; }
 };
 
-/// Buckets of entries by lowest point: entries[begins[p] .. begins[p + 1]) have the lowest point p. `forEachOf(cell, visit)` calls
-/// visit(lowest, others) for each item of a cell. Calls `use(bucket)` with each sorted bucket, from several threads.
+/// Buckets of entries by lowest point: entries[begins[p] .. begins[p + 1]) have the lowest point p. `forEachOf(cell,
+/// visit)` calls visit(lowest, others) for each item of a cell. Calls `use(bucket)` with each sorted bucket, from
+/// several threads.
 template <std::size_t N, class ForEachOf, class Use>
 void visitBuckets(std::size_t points, std::size_t cells, const ForEachOf& forEachOf, const Use& use) {
   std::vector<std::size_t> ends(points + 1, 0);

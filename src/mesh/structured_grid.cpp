@@ -1,5 +1,5 @@
-// A structured grid in five tetrahedra a cell. The cut's diagonals turn with the parity of i + j + k, so that the two cells
-// at a face cut it at the same diagonal.
+// A structured grid in five tetrahedra a cell. The cut's diagonals turn with the parity of i + j + k, so that the two
+// cells at a face cut it at the same diagonal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +14,12 @@ namespace {
 
 using Size = std::array<std::size_t, 3>;
 
-// Corners of a cell by bits: 1 for i + 1, 2 for j + 1, 4 for k + 1. Each row: the four corners' tetrahedra, then the middle one.
-constexpr std::array<std::array<int, 4>, 5> kEven = {{{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}}};
-constexpr std::array<std::array<int, 4>, 5> kOdd = {{{1, 3, 0, 5}, {2, 0, 3, 6}, {4, 6, 5, 0}, {7, 5, 6, 3}, {0, 5, 3, 6}}};
+// Corners of a cell by bits: 1 for i + 1, 2 for j + 1, 4 for k + 1. Each row: the four corners' tetrahedra, then the
+// middle one.
+constexpr std::array<std::array<int, 4>, 5> kEven = {
+    {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}}};
+constexpr std::array<std::array<int, 4>, 5> kOdd = {
+    {{1, 3, 0, 5}, {2, 0, 3, 6}, {4, 6, 5, 0}, {7, 5, 6, 3}, {0, 5, 3, 6}}};
 
 void checkGrid(const Size& size, std::size_t points, const std::vector<int>& blank, const std::string& where) {
   const std::string shape = fmt::format("{} x {} x {}", size[0], size[1], size[2]);

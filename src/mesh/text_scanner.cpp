@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <fstream>
@@ -102,12 +103,16 @@ std::int64_t TextScanner::integer(std::string_view wanted) {
   fail(fmt::format("'{}' is no whole number, {} is expected", shown(text), wanted), "correct it");
 }
 
-std::string_view TextScanner::rest() {
-  while (inLine_ && at_ < end_ && isSeparator(*at_) && *at_ != ',') ++at_;
-  const char* begin = at_;
+std::string_view TextScanner::wholeLine(std::string_view wanted) {
   at_ = std::find(at_, end_, '\n');
+  if (end_ - at_ < 2) needLine(wanted);  // which fails
+  const char* begin = at_ + 1;
+  ++line_;
+  inLine_ = true;
+  at_ = std::find(begin, end_, '\n');
   const char* stop = at_;
-  while (stop > begin && isSeparator(stop[-1]) && stop[-1] != ',') --stop;
+  while (begin < stop && std::isspace(static_cast<unsigned char>(*begin))) ++begin;
+  while (stop > begin && std::isspace(static_cast<unsigned char>(stop[-1]))) --stop;
   return {begin, static_cast<std::size_t>(stop - begin)};
 }
 

@@ -7,7 +7,8 @@
 namespace havs {
 
 /// Walks through a text file line by line and number by number, and knows where it is when something is wrong.
-/// Comments (from # to the end of the line) and lines with nothing else are passed over. Spaces, tabs and commas separate.
+/// Comments (from # to the end of the line) and lines with nothing else are passed over. Spaces, tabs and commas
+/// separate.
 class TextScanner {
  public:
   /// Reads the whole file. Throws Error{input} when it cannot be read or is binary.
@@ -24,8 +25,9 @@ class TextScanner {
   /// The next number of the line; "nan" and "inf" are numbers. Throws Error{input} when it is missing or no number.
   double real(std::string_view wanted);
   std::int64_t integer(std::string_view wanted);
-  /// What is left of the line, commas and # included, without blanks at either end: for names.
-  std::string_view rest();
+  /// The whole next line, commas and # included, without blanks at either end; it may be empty. For names.
+  /// Throws Error{input} at the end of the file.
+  std::string_view wholeLine(std::string_view wanted);
 
   /// An integer that announces `wanted`, each taking at least `bytesEach` bytes of what follows: throws Error{input}
   /// when it is negative or more than the rest of the file can hold, so that no memory is taken for an empty promise.

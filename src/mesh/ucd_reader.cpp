@@ -1,11 +1,12 @@
 // AVS UCD, ASCII. A header line
 //   points cells point-values cell-values model-values
-// then a line a point (number x y z), a line a cell (number material type points...), then, where there are any, the data of
-// the points and of the cells: a line of component counts, a line "name, unit" a field, a line a point (number values...).
-// Numbers of points and cells may be any integers.
+// then a line a point (number x y z), a line a cell (number material type points...), then, where there are any, the
+// data of the points and of the cells: a line of component counts, a line "name, unit" a field, a line a point (number
+// values...). Numbers of points and cells may be any integers.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <unordered_map>
 
@@ -63,10 +64,14 @@ struct UcdCell {
 };
 
 const UcdCell* ucdCell(std::string_view name) {
-  static const std::vector<UcdCell> cells = {
-      {"pt", 1, {0}},           {"line", 3, {0, 1}},           {"tri", 5, {0, 1, 2}},
-      {"quad", 9, {0, 1, 2, 3}}, {"tet", 10, {0, 1, 2, 3}},     {"hex", 12, {4, 5, 6, 7, 0, 1, 2, 3}},
-      {"prism", 13, {3, 4, 5, 0, 1, 2}}, {"pyr", 14, {1, 2, 3, 4, 0}}};
+  static const std::vector<UcdCell> cells = {{"pt", 1, {0}},
+                                             {"line", 3, {0, 1}},
+                                             {"tri", 5, {0, 1, 2}},
+                                             {"quad", 9, {0, 1, 2, 3}},
+                                             {"tet", 10, {0, 1, 2, 3}},
+                                             {"hex", 12, {4, 5, 6, 7, 0, 1, 2, 3}},
+                                             {"prism", 13, {3, 4, 5, 0, 1, 2}},
+                                             {"pyr", 14, {1, 2, 3, 4, 0}}};
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const UcdCell& cell) { return cell.name == name; });
   return found == cells.end() ? nullptr : &*found;
 }
@@ -81,7 +86,8 @@ Header readHeader(TextScanner& in) {
   Header header{};
   header.points = in.count("points", 8);
   if (!in.more())
-    in.fail("the header holds one number only", "of the UCD formats, the one without time steps is read: points, cells, "
+    in.fail("the header holds one number only",
+            "of the UCD formats, the one without time steps is read: points, cells, "
             "point values, cell values, model values");
   header.cells = in.count("cells", 8);
   if (header.points == 0 || header.cells == 0) in.fail("there are no points or no cells", "check the header");
@@ -105,18 +111,19 @@ void readCell(TextScanner& in, const Numbering& points, CellSoup& soup, Field& m
   std::string_view name = in.word("a cell's material");
   material.values.push_back(0);
   if (name[0] < 'a') {  // some writers leave the material out
-    const auto [number, known] = std::pair(std::string(name), in.word("a cell's type"));
-    material.values.back() = std::strtod(number.c_str(), nullptr);
-    name = known;
+    material.values.back() = std::strtod(std::string(name).c_str(), nullptr);
+    name = in.word("a cell's type");
   }
   const UcdCell* cell = ucdCell(name);
   if (!cell)
-    in.fail(fmt::format("'{}' is no type of cell", name.substr(0, 40)), "known: pt, line, tri, quad, tet, hex, prism, pyr");
+    in.fail(fmt::format("'{}' is no type of cell", name.substr(0, 40)),
+            "known: pt, line, tri, quad, tet, hex, prism, pyr");
   std::array<std::int64_t, 8> corners{};
   for (std::size_t i = 0; i < cell->vtkOrder.size(); ++i)
     corners[i] = static_cast<std::int64_t>(points.position(in, in.integer("a point's number")));
   if (in.more())
-    in.fail(fmt::format("a {} has more than {} points", name, cell->vtkOrder.size()), "cells with mid nodes are not read");
+    in.fail(fmt::format("a {} has more than {} points", name, cell->vtkOrder.size()),
+            "cells with mid nodes are not read");
   for (const int i : cell->vtkOrder) soup.connectivity.push_back(corners[static_cast<std::size_t>(i)]);
   soup.types.push_back(cell->vtkType);
   soup.offsets.push_back(static_cast<std::int64_t>(soup.connectivity.size()));
@@ -136,8 +143,7 @@ void readCells(TextScanner& in, std::size_t count, const Numbering& points, Cell
 
 /// The label lines may hold "name, unit", "name," or a name alone.
 std::string fieldName(TextScanner& in, std::size_t number) {
-  in.needLine("the name of a field");
-  std::string_view label = in.rest();
+  std::string_view label = in.wholeLine("the name of a field");
   label = label.substr(0, label.find(','));
   while (!label.empty() && label.back() == ' ') label.remove_suffix(1);
   return label.empty() ? fmt::format("data{}", number) : std::string(label);

@@ -78,7 +78,7 @@ std::vector<Index> mergeIdenticalPoints(std::vector<Vec3>& points, std::vector<F
     bool operator<(const Entry& other) const { return hash != other.hash ? hash < other.hash : point < other.point; }
   };
   std::vector<Entry> entries(points.size());
-  parallelFor(0, points.size(), 4096, [&](std::size_t i) { 
+  parallelFor(0, points.size(), 4096, [&](std::size_t i) {
     entries[i] = {hashOf(points, pointFields, i), static_cast<Index>(i)};
   });
   tbb::parallel_sort(entries.begin(), entries.end());
@@ -91,10 +91,10 @@ std::vector<Index> mergeIdenticalPoints(std::vector<Vec3>& points, std::vector<F
     std::vector<Index> distinct;  // of this hash: one, unless hashes collide
     for (std::size_t i = begin; i < end; ++i) {
       const Index point = entries[i].point;
-      const auto same = end - begin == 1 ? distinct.end()
-                                         : std::find_if(distinct.begin(), distinct.end(), [&](Index other) {
-                                             return samePoint(points, pointFields, other, point);
-                                           });
+      const auto same =
+          end - begin == 1 ? distinct.end() : std::find_if(distinct.begin(), distinct.end(), [&](Index other) {
+            return samePoint(points, pointFields, other, point);
+          });
       first[point] = same == distinct.end() ? point : *same;
       if (same != distinct.end()) {
         keep[point] = 0;

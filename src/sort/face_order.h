@@ -31,7 +31,7 @@ class FaceSorter {
   virtual void sort(const ViewPoint& view, FaceOrder& order) = 0;
 };
 
-/// What a sorter works on; all must outlive it. Points in the local frame.
+/// What a sorter works on; all must outlive it. Points in the local frame, cells right-handed (repairMesh).
 struct SortInput {
   std::span<const Vec3> points;
   std::span<const Tetrahedron> tetrahedra;

@@ -19,4 +19,10 @@ Json parseJson(std::string_view text, const std::string& file) {
   }
 }
 
+/// A value as a message quotes it: numbers, texts and the like as they stand, lists and objects by their kind.
+template <class Json>
+std::string quoted(const Json& value) {
+  return value.is_structured() ? value.type_name() : value.dump();
+}
+
 }  // namespace havs

@@ -159,7 +159,7 @@ std::vector<double> numbers(const Json& map, const char* key, std::size_t width,
   std::vector<double> values;
   for (const Json& value : list) {
     if (!value.is_number())
-      failInput(fmt::format("'{}' holds '{}', no number", key, value.dump()),
+      failInput(fmt::format("'{}' holds '{}', no number", key, quoted(value)),
                 fmt::format("{}, point {}", file, values.size() / width + 1));
     values.push_back(value.get<double>());
   }
@@ -183,16 +183,14 @@ bool isParaViewJson(std::string_view text, const std::string& file) {
 }
 
 TransferFunction readParaViewJson(std::string_view text, const std::string& file) {
-  Json json = parseJson<Json>(text, file);
-  if (json.is_array()) {
-    checkOneMap(json.size(), file);
-    json = Json(json[0]);
-  }
+  const Json list = parseJson<Json>(text, file);
+  if (list.is_array()) checkOneMap(list.size(), file);
+  const Json& json = list.is_array() ? list[0] : list;
   if (!json.is_object()) failInput("a colour map is a JSON object", file);
   ColorMap map;
   if (json.contains("Name") && json["Name"].is_string()) map.name = json["Name"].get<std::string>();
   if (json.contains("ColorSpace"))
-    map.space = json["ColorSpace"].is_string() ? json["ColorSpace"].get<std::string>() : json["ColorSpace"].dump();
+    map.space = json["ColorSpace"].is_string() ? json["ColorSpace"].get<std::string>() : quoted(json["ColorSpace"]);
   const std::vector<double> rgb = numbers(json, "RGBPoints", 4, file);
   for (std::size_t i = 0; i < rgb.size(); i += 4)
     map.colors.push_back({rgb[i], {rgb[i + 1], rgb[i + 2], rgb[i + 3]}, 0});

@@ -35,7 +35,7 @@ double number(const Json& value, const std::string& what, const std::string& whe
 /// True for the second name of two, false for the first.
 bool isSecond(const Json& value, const std::vector<std::string>& names, const std::string& key,
               const std::string& where) {
-  const std::string name = value.is_string() ? value.get<std::string>() : value.dump();
+  const std::string name = value.is_string() ? value.get<std::string>() : quoted(value);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (name == names[i]) return i == 1;
   }
@@ -71,7 +71,7 @@ TransferFunction readTransferJson(std::string_view text, const std::string& file
   checkKeys(json, kKeys, file);
   if (!json.contains("version")) failInput("'version' is missing", file, R"(write "version": 1)");
   if (json["version"] != 1)
-    failInput(fmt::format("version {} is not known", json["version"].dump()), file, "this program reads version 1");
+    failInput(fmt::format("version {} is not known", quoted(json["version"])), file, "this program reads version 1");
   if (!json.contains("points") || !json["points"].is_array() || json["points"].empty()) {
     failInput("'points' is no list of at least one control point", file);
   }
