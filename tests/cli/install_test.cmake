@@ -1,5 +1,5 @@
 # Installs the build into a folder of its own, builds the consumer against it and lets both it and the installed program run.
-# -DBUILD=..., -DSOURCE=..., -DWORK=...
+# -DBUILD=..., -DSOURCE=..., -DWORK=..., -DWITH_VTK=ON|OFF, -DCXX_FLAGS=...
 foreach(name IN ITEMS BUILD SOURCE WORK)
   if(NOT DEFINED ${name})
     message(FATAL_ERROR "-D${name}=... is missing")
@@ -21,6 +21,10 @@ file(WRITE ${WORK}/one.node "4 3 1 0\n0 0 0 0 0\n1 1 0 0 1\n2 0 1 0 0\n3 0 0 1 0
 file(WRITE ${WORK}/one.ele "1 4 0\n0 0 1 2 3\n")
 run(${prefix}/bin/havs info ${WORK}/one.node)
 run(${prefix}/bin/havs mesh ${WORK}/one.node -o ${WORK}/copy.node)
+if(WITH_VTK)
+  run(${prefix}/bin/havs mesh ${WORK}/one.node -o ${WORK}/copy.vtu)
+  run(${prefix}/bin/havs info ${WORK}/copy.vtu)
+endif()
 
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/cli/consumer -B ${WORK}/consumer -DCMAKE_PREFIX_PATH=${prefix}
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=${CXX_FLAGS})
