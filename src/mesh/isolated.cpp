@@ -170,7 +170,7 @@ ByteReader::~ByteReader() {
 }
 
 void ByteReader::rewind() {
-  struct stat status{};
+  struct stat status {};
   fstat(file_, &status);
   size_ = static_cast<std::size_t>(status.st_size);
   position_ = 0;

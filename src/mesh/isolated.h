@@ -75,8 +75,8 @@ class ByteReader {
 
 /// What came of work in a child process.
 struct IsolatedRun {
-  ByteReader reply;     ///< what the work wrote
-  std::string death;    ///< empty when the work came to its end, else how it died: "Segmentation fault", "exit status 3"
+  ByteReader reply;   ///< what the work wrote
+  std::string death;  ///< empty when the work came to its end, else how it died: "Segmentation fault", "exit status 3"
   std::string printed;  ///< the first 64 KiB that it printed on standard output and error
 };
 

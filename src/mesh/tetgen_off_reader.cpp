@@ -1,4 +1,5 @@
-// Geomview's OFF, ASCII: the word OFF, counts of points, faces and edges, the points, then the faces as corners p0 p1 ... [colour].
+// Geomview's OFF, ASCII: the word OFF, counts of points, faces and edges, the points, then the faces as corners p0 p1
+// ... [colour].
 #include <fmt/format.h>
 
 #include <cmath>

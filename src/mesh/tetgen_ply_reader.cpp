@@ -1,5 +1,6 @@
-// Stanford's PLY: a text header that describes elements and their properties, then their values as text or binary numbers. Of
-// element "vertex" x, y, z are taken, of "face" the list vertex_indices (or vertex_index); the rest is passed over.
+// Stanford's PLY: a text header that describes elements and their properties, then their values as text or binary
+// numbers. Of element "vertex" x, y, z are taken, of "face" the list vertex_indices (or vertex_index); the rest is
+// passed over.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,9 +39,9 @@ Type typeOf(const BinaryFile& in, const std::string& name) {
   constexpr struct {
     const char* names[2];
     Type type;
-  } kTypes[] = {{{"char", "int8"}, Type::int8},       {{"uchar", "uint8"}, Type::uint8},
-                {{"short", "int16"}, Type::int16},    {{"ushort", "uint16"}, Type::uint16},
-                {{"int", "int32"}, Type::int32},      {{"uint", "uint32"}, Type::uint32},
+  } kTypes[] = {{{"char", "int8"}, Type::int8},        {{"uchar", "uint8"}, Type::uint8},
+                {{"short", "int16"}, Type::int16},     {{"ushort", "uint16"}, Type::uint16},
+                {{"int", "int32"}, Type::int32},       {{"uint", "uint32"}, Type::uint32},
                 {{"float", "float32"}, Type::float32}, {{"double", "float64"}, Type::float64}};
   for (const auto& row : kTypes)
     if (name == row.names[0] || name == row.names[1]) return row.type;
@@ -96,14 +97,22 @@ class Numbers {
   double next(Type type, const std::string& wanted) {
     if (ascii_) return nextWord(wanted);
     switch (type) {
-      case Type::int8: return in_.get<std::int8_t>(wanted);
-      case Type::uint8: return in_.get<std::uint8_t>(wanted);
-      case Type::int16: return in_.get<std::int16_t>(wanted);
-      case Type::uint16: return in_.get<std::uint16_t>(wanted);
-      case Type::int32: return in_.get<std::int32_t>(wanted);
-      case Type::uint32: return in_.get<std::uint32_t>(wanted);
-      case Type::float32: return static_cast<double>(in_.get<float>(wanted));
-      case Type::float64: return in_.get<double>(wanted);
+      case Type::int8:
+        return in_.get<std::int8_t>(wanted);
+      case Type::uint8:
+        return in_.get<std::uint8_t>(wanted);
+      case Type::int16:
+        return in_.get<std::int16_t>(wanted);
+      case Type::uint16:
+        return in_.get<std::uint16_t>(wanted);
+      case Type::int32:
+        return in_.get<std::int32_t>(wanted);
+      case Type::uint32:
+        return in_.get<std::uint32_t>(wanted);
+      case Type::float32:
+        return static_cast<double>(in_.get<float>(wanted));
+      case Type::float64:
+        return in_.get<double>(wanted);
     }
     return 0;
   }
@@ -151,8 +160,10 @@ void readVertices(const BinaryFile& in, Numbers& numbers, const Element& element
     Vec3 point{std::numeric_limits<double>::quiet_NaN()};
     for (const Property& property : element.properties) {
       const auto axis = std::ranges::find(kAxes, property.name);
-      if (axis == std::end(kAxes) || property.isList) skipProperty(numbers, property);
-      else point[static_cast<int>(axis - kAxes)] = numbers.next(property.type, fmt::format("vertex {}", i));
+      if (axis == std::end(kAxes) || property.isList)
+        skipProperty(numbers, property);
+      else
+        point[static_cast<int>(axis - kAxes)] = numbers.next(property.type, fmt::format("vertex {}", i));
     }
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
       in.fail(fmt::format("vertex {} has a coordinate that is not finite", i), "correct it");
@@ -178,8 +189,10 @@ void readFaces(const BinaryFile& in, Numbers& numbers, const Element& element, S
   for (std::size_t i = 0; i < element.count; ++i) {
     for (const Property& property : element.properties) {
       const bool corners = property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
-      if (corners) surface.facets.push_back({{readCorners(in, numbers, property, surface.points.size())}, {}, 0});
-      else skipProperty(numbers, property);
+      if (corners)
+        surface.facets.push_back({{readCorners(in, numbers, property, surface.points.size())}, {}, 0});
+      else
+        skipProperty(numbers, property);
     }
   }
 }
@@ -196,8 +209,10 @@ Surface readPlySurface(const std::filesystem::path& file) {
     if (element.count > in.left())
       in.fail(fmt::format("{} elements '{}' are promised, but {} bytes follow", element.count, element.name, in.left()),
               "is the file cut short?");
-    if (element.name == "vertex") readVertices(in, numbers, element, surface);
-    else if (element.name == "face") readFaces(in, numbers, element, surface);
+    if (element.name == "vertex")
+      readVertices(in, numbers, element, surface);
+    else if (element.name == "face")
+      readFaces(in, numbers, element, surface);
     else
       for (std::size_t i = 0; i < element.count; ++i)
         for (const Property& property : element.properties) skipProperty(numbers, property);

@@ -1,6 +1,7 @@
 // TetGen's .poly and .smesh: points, facets, holes and regions, each part headed by its count. A .poly facet is
 //   polygons [holes] [marker], then one line a polygon (corners p0 p1 ...), then one line a hole (number x y z);
-// an .smesh facet is one polygon on one line: corners p0 p1 ... [marker]. Numbers start at 0 or at 1, as the first point's does.
+// an .smesh facet is one polygon on one line: corners p0 p1 ... [marker]. Numbers start at 0 or at 1, as the first
+// point's does.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +31,8 @@ Vec3 readPosition(TextScanner& in) {
 }
 
 /// The points in `count` lines, and the number of the first of them.
-std::int64_t readPointLines(TextScanner& in, std::size_t count, std::size_t attributes, bool markers, Surface& surface) {
+std::int64_t readPointLines(TextScanner& in, std::size_t count, std::size_t attributes, bool markers,
+                            Surface& surface) {
   std::int64_t first = 0;
   surface.points.reserve(count);
   for (std::size_t a = 0; a < attributes; ++a) surface.pointFields.push_back({fmt::format("attribute{}", a), 1, {}});
@@ -61,7 +63,8 @@ Numbering readPoints(TextScanner& in, Surface& surface) {
   const std::int64_t markers = optionalInteger(in, "the number of boundary markers");
   if (dimension != 3) in.fail(fmt::format("the points have {} dimensions", dimension), "a volume needs 3");
   if (attributes < 0 || attributes > kMostAttributes)
-    in.fail(fmt::format("the number of attributes is {}", attributes), fmt::format("0 to {} are read", kMostAttributes));
+    in.fail(fmt::format("the number of attributes is {}", attributes),
+            fmt::format("0 to {} are read", kMostAttributes));
   const std::int64_t first = readPointLines(in, count, static_cast<std::size_t>(attributes), markers > 0, surface);
   return {first, static_cast<std::int64_t>(count)};
 }
@@ -81,8 +84,8 @@ std::vector<int> readPolygon(TextScanner& in, const Numbering& points) {
     if (!in.more()) in.needLine("a polygon's next corner");
     const std::int64_t number = in.integer("a corner's point number");
     if (number < points.first || number >= points.first + points.count)
-      in.fail(fmt::format("a polygon has the point number {}, out of range: the points are {} to {}", number, points.first,
-                          points.first + points.count - 1),
+      in.fail(fmt::format("a polygon has the point number {}, out of range: the points are {} to {}", number,
+                          points.first, points.first + points.count - 1),
               "correct it");
     corner = static_cast<int>(number - points.first);
   }

@@ -187,7 +187,8 @@ TetMesh runTetgen(const Surface& surface, const std::string& command, const std:
   if (code != kDone) failWith(code, faultIn(run.printed), surface, where);
   TetMesh mesh = receiveMesh(run.reply, surface);
   if (mesh.tetrahedra.empty())
-    failInput("the surface encloses nothing, TetGen makes no tetrahedra", where, "is it closed, and no hole point too many?");
+    failInput("the surface encloses nothing, TetGen makes no tetrahedra", where,
+              "is it closed, and no hole point too many?");
   return mesh;
 }
 

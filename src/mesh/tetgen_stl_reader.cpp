@@ -1,5 +1,5 @@
-// STL. Binary: 80 bytes of anything, the number of triangles, 50 bytes for each (normal, three corners, two bytes). ASCII: words,
-// of which only "vertex x y z" matters. A binary file may start with the word solid, too: its size tells.
+// STL. Binary: 80 bytes of anything, the number of triangles, 50 bytes for each (normal, three corners, two bytes).
+// ASCII: words, of which only "vertex x y z" matters. A binary file may start with the word solid, too: its size tells.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -81,8 +81,10 @@ Surface readStlSurface(const fs::path& file) {
   std::size_t flat = 0;
   for (std::size_t i = 0; i < corners; i += 3) {
     std::vector<int> triangle{point(i), point(i + 1), point(i + 2)};
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) ++flat;
-    else surface.facets.push_back({{std::move(triangle)}, {}, 0});
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      ++flat;
+    else
+      surface.facets.push_back({{std::move(triangle)}, {}, 0});
   }
   if (flat > 0) surface.notes.push_back(fmt::format("left out {} triangles with identical corners", flat));
   return surface;

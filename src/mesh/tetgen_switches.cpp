@@ -23,23 +23,23 @@ constexpr double kMost = 1e300;
 constexpr double kLeast = 1e-300;
 
 constexpr Switch kSwitches[] = {
-    {'p', 1, {0, 0}, {180, 0}},          // fill the surface; angle below which facets count as one
-    {'Y', 1, {0, 0}, {2, 0}},            // keep the surface's triangles
-    {'q', 2, {1, 0}, {100, 60}},         // quality: radius to edge, smallest dihedral angle. Below 1 there may be no end
-    {'a', 1, {kLeast, 0}, {kMost, 0}},   // largest volume
-    {'A', 0, {0, 0}, {0, 0}},            // attributes of regions
-    {'O', 2, {0, 0}, {10, 7}},           // optimise: level, operations
-    {'S', 1, {0, 0}, {INT32_MAX, 0}},    // most points to add
-    {'T', 1, {0, 0}, {1e-3, 0}},         // tolerance of coplanarity
-    {'M', 2, {0, 0}, {7, 7}},            // do not merge facets
-    {'R', 0, {0, 0}, {0, 0}},            // coarsen
-    {'J', 0, {0, 0}, {0, 0}},            // leave no point out
-    {'X', 0, {0, 0}, {0, 0}},            // no exact arithmetic
-    {'C', 0, {0, 0}, {0, 0}},            // check the mesh
-    {'c', 0, {0, 0}, {0, 0}},            // keep the convex hull
-    {'D', 1, {0, 0}, {7, 0}},            // conforming Delaunay
-    {'V', 0, {0, 0}, {0, 0}},            // verbose
-    {'Q', 0, {0, 0}, {0, 0}},            // quiet: it always is
+    {'p', 1, {0, 0}, {180, 0}},         // fill the surface; angle below which facets count as one
+    {'Y', 1, {0, 0}, {2, 0}},           // keep the surface's triangles
+    {'q', 2, {1, 0}, {100, 60}},        // quality: radius to edge, smallest dihedral angle. Below 1 there may be no end
+    {'a', 1, {kLeast, 0}, {kMost, 0}},  // largest volume
+    {'A', 0, {0, 0}, {0, 0}},           // attributes of regions
+    {'O', 2, {0, 0}, {10, 7}},          // optimise: level, operations
+    {'S', 1, {0, 0}, {INT32_MAX, 0}},   // most points to add
+    {'T', 1, {0, 0}, {1e-3, 0}},        // tolerance of coplanarity
+    {'M', 2, {0, 0}, {7, 7}},           // do not merge facets
+    {'R', 0, {0, 0}, {0, 0}},           // coarsen
+    {'J', 0, {0, 0}, {0, 0}},           // leave no point out
+    {'X', 0, {0, 0}, {0, 0}},           // no exact arithmetic
+    {'C', 0, {0, 0}, {0, 0}},           // check the mesh
+    {'c', 0, {0, 0}, {0, 0}},           // keep the convex hull
+    {'D', 1, {0, 0}, {7, 0}},           // conforming Delaunay
+    {'V', 0, {0, 0}, {0, 0}},           // verbose
+    {'Q', 0, {0, 0}, {0, 0}},           // quiet: it always is
 };
 
 std::string knownLetters() {

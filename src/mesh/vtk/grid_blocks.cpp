@@ -22,15 +22,18 @@ const Field* findLike(const Field& field, const std::vector<Field>& fields) {
 void joinFields(std::vector<Field>& fields, const std::vector<Field>& next, const char* kind,
                 std::vector<std::string>& notes) {
   const auto noteGone = [&](const Field& field) {
-    const std::string text = "left out the " + std::string(kind) + " field '" + field.name + "', which not every block has";
+    const std::string text =
+        "left out the " + std::string(kind) + " field '" + field.name + "', which not every block has";
     if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
   };
   for (const Field& field : next)
     if (!findLike(field, fields)) noteGone(field);
   std::erase_if(fields, [&](Field& field) {
     const Field* more = findLike(field, next);
-    if (more) field.values.insert(field.values.end(), more->values.begin(), more->values.end());
-    else noteGone(field);
+    if (more)
+      field.values.insert(field.values.end(), more->values.begin(), more->values.end());
+    else
+      noteGone(field);
     return !more;
   });
 }
@@ -59,7 +62,8 @@ void renumberCell(std::uint8_t type, std::span<std::int64_t> cell, const Renumbe
     return;
   }
   for (std::size_t i = 1; i < cell.size();) {
-    const std::size_t corners = std::min(static_cast<std::size_t>(std::max<std::int64_t>(cell[i], 0)), cell.size() - i - 1);
+    const std::size_t corners =
+        std::min(static_cast<std::size_t>(std::max<std::int64_t>(cell[i], 0)), cell.size() - i - 1);
     for (std::size_t corner = i + 1; corner <= i + corners; ++corner) renumber(cell[corner]);
     i += corners + 1;
   }
@@ -98,8 +102,8 @@ TetMesh cutStructured(StructuredBlock grid, const std::string& where) {
   constexpr const char* kHidden = "havs hidden cell";
   const bool someHidden = !grid.hiddenCell.empty();
   if (someHidden) grid.cellFields.push_back({kHidden, 1, {grid.hiddenCell.begin(), grid.hiddenCell.end()}});
-  TetMesh mesh = cutStructuredGrid(grid.size, std::move(grid.points), std::move(grid.blank), std::move(grid.pointFields),
-                                   std::move(grid.cellFields), where);
+  TetMesh mesh = cutStructuredGrid(grid.size, std::move(grid.points), std::move(grid.blank),
+                                   std::move(grid.pointFields), std::move(grid.cellFields), where);
   if (!someHidden) return mesh;
   const std::vector<double> hidden = std::move(mesh.cellFields.back().values);
   mesh.cellFields.pop_back();
@@ -116,7 +120,8 @@ TetMesh cutStructured(StructuredBlock grid, const std::string& where) {
 }
 
 void append(TetMesh& mesh, TetMesh next, std::vector<std::string>& notes, const std::string& where) {
-  if (mesh.points.size() + next.points.size() >= kNoIndex) failInput("its blocks have more points than can be numbered", where);
+  if (mesh.points.size() + next.points.size() >= kNoIndex)
+    failInput("its blocks have more points than can be numbered", where);
   const auto shift = static_cast<Index>(mesh.points.size());
   for (Tetrahedron& tetrahedron : next.tetrahedra)
     for (Index& point : tetrahedron) point += shift;

@@ -27,8 +27,8 @@ struct GridBlocks {
 };
 
 /// One tetrahedral mesh of all blocks. Fields that every block has (same name and components) stay, others are noted.
-/// Blocks of cells are joined before they are cut, so that the cuts conform across blocks, too; structured blocks are cut
-/// one by one. `where` (the file) begins each message. Throws Error{input}.
+/// Blocks of cells are joined before they are cut, so that the cuts conform across blocks, too; structured blocks are
+/// cut one by one. `where` (the file) begins each message. Throws Error{input}.
 TetMesh meshFromBlocks(GridBlocks blocks, const std::string& where);
 
 }  // namespace havs

@@ -76,7 +76,8 @@ void GridWriter::note(const std::string& text) {
 }
 
 void GridWriter::finish(const std::string& where) {
-  if (!failure_.empty()) failInput("cannot be read: " + failure_, where, "is the file whole, and of the kind its name says?");
+  if (!failure_.empty())
+    failInput("cannot be read: " + failure_, where, "is the file whole, and of the kind its name says?");
   out_.put(Message::end);
 }
 

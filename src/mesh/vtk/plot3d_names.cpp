@@ -31,7 +31,8 @@ fs::path solutionOf(const fs::path& grid) {
   for (const auto& [xyz, q] : kStems)
     if (const fs::path found = renamed(grid, xyz, q); !found.empty()) return found;
   for (const char* extension : {".q", ".Q"})
-    if (const fs::path found = fs::path(grid).replace_extension(extension); found != grid && isFile(found)) return found;
+    if (const fs::path found = fs::path(grid).replace_extension(extension); found != grid && isFile(found))
+      return found;
   return {};
 }
 

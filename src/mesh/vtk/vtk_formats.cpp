@@ -19,7 +19,7 @@ GridBlocks readGrids(const GridRequest& request) {
     sink.finish(request.file);
   });
   if (!run.death.empty())
-    failInput("VTK's reader breaks down on it (" + run.death + ")", request.file, "is the file whole?");
+    failInput("cannot be read: VTK's reader breaks down on it (" + run.death + ")", request.file, "is the file whole?");
   return receiveGrids(run.reply);
 }
 

@@ -42,10 +42,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"text.vtu", "hello\n", "cannot be read"}, BadFile{"text.vtk", "hello\n", "cannot be read"},
         BadFile{"noise.vtu", kNoise, "cannot be read"}, BadFile{"noise.ex2", kNoise, "cannot be read"},
         BadFile{"noise.cgns", kNoise, "is the file whole?"}, BadFile{"text.case", "hello\n", "cannot be read"},
-        BadFile{"surface.vtk", legacy("POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"), "vtkPolyData"},
+        BadFile{"surface.vtk", legacy("POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"),
+                "vtkPolyData"},
         BadFile{"triangle.vtk", oneCell("3 0 1 2 ", "5"), ""}, BadFile{"range.vtk", oneCell("4 0 1 2 99", "10"), "99"},
         BadFile{"negative.vtk", oneCell("4 0 1 2 -7", "10"), "-7"}, BadFile{"word.vtk", oneCell("4 0 1 x 3", "10"), ""},
-        BadFile{"nocells.vtk", legacy("UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n"), "no three-dimensional"},
+        BadFile{"nocells.vtk", legacy("UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n"),
+                "no three-dimensional"},
         BadFile{"lie.vtk", legacy("UNSTRUCTURED_GRID\nPOINTS 2000000000 float\n0 0 0\n"), ""},
         BadFile{"huge.vtk",
                 legacy("STRUCTURED_POINTS\nDIMENSIONS 100000 100000 100000\nORIGIN 0 0 0\nSPACING 1 1 1\n"
@@ -53,7 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "cannot be read"},
         BadFile{"huge.vti", image("0 100000 0 100000 0 100000"), "points"},
         BadFile{"flat.vti", image("0 5 0 5 0 0"), "no three-dimensional"},
-        BadFile{"cut.vtu", "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece", "cannot be read"}),
+        BadFile{"cut.vtu", "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece",
+                "cannot be read"}),
     [](const auto& row) {
       std::string name = row.param.name;
       std::ranges::replace(name, '.', '_');

@@ -77,7 +77,8 @@ TEST(EnSight, VolumePartsAreRead) {
   ASSERT_EQ(mesh.tetrahedra.size(), 1u);
   EXPECT_EQ(mesh.points.size(), 4u);
   EXPECT_NEAR(volume(mesh), 1.0 / 6, 1e-7);  // float coordinates
-  expectPointField(mesh, "heat", [](const Vec3& p) { return 1 + p.x + 2 * p.y + 3 * p.z; }, 1e-6);  // float values
+  expectPointField(
+      mesh, "heat", [](const Vec3& p) { return 1 + p.x + 2 * p.y + 3 * p.z; }, 1e-6);  // float values
   EXPECT_THAT(mesh.notes, testing::Contains(testing::HasSubstr("left out 1 block")));
 }
 

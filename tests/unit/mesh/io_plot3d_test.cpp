@@ -75,7 +75,8 @@ std::string solutionFile(const Kind& kind) {
   for (const double condition : {0.5, 0.0, 1e5, 0.0}) out.real(condition);
   out.endRecord();
   for (int variable = 0; variable < 5; ++variable)
-    for (std::size_t i = 0; i < kPoints; ++i) out.real(variable == 0 ? density(position(i)) : variable == 4 ? 50 : 0.25);
+    for (std::size_t i = 0; i < kPoints; ++i)
+      out.real(variable == 0 ? density(position(i)) : variable == 4 ? 50 : 0.25);
   out.endRecord();
   return out.file();
 }
@@ -91,12 +92,13 @@ TEST_P(Plot3dKinds, AreToldApart) {
   EXPECT_EQ(mesh.points.size(), kPoints);
   EXPECT_EQ(mesh.tetrahedra.size(), 5 * (kind.iblank ? kCells - 1 : kCells));
   EXPECT_NEAR(volume(mesh), static_cast<double>(kind.iblank ? kCells - 1 : kCells), 1e-12);  // unit cells
-  expectPointField(mesh, "Density", density, 0);  // small integers
+  expectPointField(mesh, "Density", density, 0);                                             // small integers
   for (const char* name : {"Momentum", "Velocity"}) {
     ASSERT_NE(find(mesh.pointFields, name), nullptr) << name;
     EXPECT_EQ(find(mesh.pointFields, name)->components, 3) << name;
   }
-  expectPointField(mesh, "StagnationEnergy", [](const Vec3&) { return 50; }, 0);
+  expectPointField(
+      mesh, "StagnationEnergy", [](const Vec3&) { return 50; }, 0);
   ASSERT_NE(find(mesh.pointFields, "Pressure"), nullptr);
 }
 

@@ -54,7 +54,8 @@ std::string binaryStl() {
 
 std::string off() {
   std::string text = "OFF\n# a comment\n4 4 0\n";
-  for (const auto& p : kCorners) text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  for (const auto& p : kCorners)
+    text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
   for (const auto& t : kTriangles)
     text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
   return text;
@@ -62,7 +63,8 @@ std::string off() {
 
 std::string plyHeader(const std::string& format) {
   return "ply\nformat " + format +
-         " 1.0\ncomment a tetrahedron\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+         " 1.0\ncomment a tetrahedron\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+         "z\nproperty uchar red\n"
          "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
@@ -93,10 +95,13 @@ constexpr const char* kSmesh =
 
 TEST(TetgenFormats, EveryOneGivesTheSameTetrahedron) {
   const Folder folder;
-  const std::filesystem::path files[] = {
-      folder.write("a.stl", asciiStl()),        folder.write("b.stl", binaryStl()),      folder.write("c.off", off()),
-      folder.write("d.ply", asciiPly()),        folder.write("e.ply", binaryPly(false)), folder.write("f.ply", binaryPly(true)),
-      folder.write("g.smesh", kSmesh)};
+  const std::filesystem::path files[] = {folder.write("a.stl", asciiStl()),
+                                         folder.write("b.stl", binaryStl()),
+                                         folder.write("c.off", off()),
+                                         folder.write("d.ply", asciiPly()),
+                                         folder.write("e.ply", binaryPly(false)),
+                                         folder.write("f.ply", binaryPly(true)),
+                                         folder.write("g.smesh", kSmesh)};
   for (const auto& file : files) {
     SCOPED_TRACE(file);
     const TetMesh mesh = readMesh(file, {.tetgenSwitches = "p"});
@@ -135,15 +140,20 @@ TEST(TetgenSwitches, RegionsBecomeACellField) {
     Vec3 center{0};
     for (const Index corner : mesh.tetrahedra[i]) center += mesh.points[corner] / 4.0;
     // The shell at 0.75 is a polyhedron that dips inside its sphere by less than 0.03.
-    if (glm::length(center) > 0.75) { ASSERT_EQ(region->values[i], 1); }
-    if (glm::length(center) < 0.72) { ASSERT_EQ(region->values[i], 2); }
+    if (glm::length(center) > 0.75) {
+      ASSERT_EQ(region->values[i], 1);
+    }
+    if (glm::length(center) < 0.72) {
+      ASSERT_EQ(region->values[i], 2);
+    }
     ASSERT_GT(glm::length(center), 0.3);  // the innermost sphere, radius 0.4 less its dips, is hollow
   }
 }
 
 TEST(TetgenInputs, PointAttributesAreKept) {
   const TetMesh mesh = readMesh(kMeshes / "cube.poly", {.tetgenSwitches = "p"});
-  expectPointField(mesh, "attribute0", [](const Vec3& p) { return p.x + p.y + p.z; }, 0);
+  expectPointField(
+      mesh, "attribute0", [](const Vec3& p) { return p.x + p.y + p.z; }, 0);
 }
 
 /// Edges of the boundary - faces + points: 2 for a ball, less 2 for each tunnel, plus 2 for each further shell.
@@ -161,8 +171,8 @@ std::int64_t eulerCharacteristic(const TetMesh& mesh) {
 
 TEST(TetgenInputs, HaveTheirTopology) {
   EXPECT_EQ(eulerCharacteristic(readMesh(kMeshes / "cube.poly")), 2);
-  EXPECT_EQ(eulerCharacteristic(readMesh(kMeshes / "bracket.poly")), 2 - 2 * 3);      // three holes
-  EXPECT_EQ(eulerCharacteristic(readMesh(kMeshes / "nested_shells.poly")), 2 + 2);    // outside and hollow
+  EXPECT_EQ(eulerCharacteristic(readMesh(kMeshes / "bracket.poly")), 2 - 2 * 3);    // three holes
+  EXPECT_EQ(eulerCharacteristic(readMesh(kMeshes / "nested_shells.poly")), 2 + 2);  // outside and hollow
   EXPECT_EQ(eulerCharacteristic(readMesh(kMeshes / "torus_knot.off", {.tetgenSwitches = "p"})), 0);  // a torus
 }
 
@@ -180,8 +190,10 @@ TEST(NodeEleInput, RampIsACubeWithItsField) {
   EXPECT_EQ(mesh.tetrahedra.size(), 384u);
   EXPECT_NEAR(volume(mesh), 1, kRounding);
   for (const Tetrahedron& t : mesh.tetrahedra) ASSERT_GT(signedVolume(mesh, t), 0);
-  expectPointField(mesh, "attribute0", [](const Vec3& p) { return p.x + 2 * p.y + 3 * p.z; }, 1e-12);
-  expectPointField(mesh, "attribute1", [](const Vec3& p) { return glm::dot(p, p); }, 1e-12);
+  expectPointField(
+      mesh, "attribute0", [](const Vec3& p) { return p.x + 2 * p.y + 3 * p.z; }, 1e-12);
+  expectPointField(
+      mesh, "attribute1", [](const Vec3& p) { return glm::dot(p, p); }, 1e-12);
 }
 
 }  // namespace

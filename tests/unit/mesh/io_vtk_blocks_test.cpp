@@ -1,11 +1,11 @@
 // Files of several blocks or pieces become one mesh whose cuts conform across them.
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkExodusIIWriter.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkCellData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -17,7 +17,8 @@ namespace {
 
 /// A unit cube at `x`; its points come in the reverse of the usual order when asked for.
 vtkSmartPointer<vtkUnstructuredGrid> cubeAt(double x, bool reversed) {
-  constexpr double kCorners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  constexpr double kCorners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                     {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> values;
@@ -59,7 +60,8 @@ void expectTwoCubes(const TetMesh& mesh) {
   EXPECT_EQ(mesh.points.size(), 12u);
   EXPECT_NEAR(volume(mesh), 2, 1e-12);  // a sum of about a dozen sixths
   EXPECT_EQ(buildFaces(mesh).boundaryCount, 20u);
-  expectPointField(mesh, "x", [](const Vec3& p) { return p.x; }, 0);
+  expectPointField(
+      mesh, "x", [](const Vec3& p) { return p.x; }, 0);
 }
 
 TEST(VtkPieces, AreWeldedBeforeTheyAreCut) {

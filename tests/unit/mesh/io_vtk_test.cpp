@@ -25,12 +25,12 @@
 namespace havs::test {
 namespace {
 
-constexpr int kSize[3] = {3, 4, 5};           // points along each axis
-constexpr std::size_t kCells = 2 * 3 * 4;     // of the grid
+constexpr int kSize[3] = {3, 4, 5};        // points along each axis
+constexpr std::size_t kCells = 2 * 3 * 4;  // of the grid
 constexpr double kSpacing[3] = {0.5, 1, 2};
-constexpr double kVolume = 1.0 * 3.0 * 8.0;   // of the box
-constexpr double kRounding = 1e-12;           // sums of a few hundred numbers near 1 in double
-constexpr double kFloatRounding = 1e-6;       // ASCII writers print about 7 digits
+constexpr double kVolume = 1.0 * 3.0 * 8.0;  // of the box
+constexpr double kRounding = 1e-12;          // sums of a few hundred numbers near 1 in double
+constexpr double kFloatRounding = 1e-6;      // ASCII writers print about 7 digits
 
 double linear(const Vec3& p) { return 1 + p.x + 2 * p.y + 3 * p.z; }
 
@@ -103,7 +103,9 @@ vtkSmartPointer<vtkUnstructuredGrid> hexahedra() {
 }
 
 template <class Writer>
-void write(vtkDataObject* data, const std::filesystem::path& file, const std::function<void(Writer&)>& setUp = [](Writer&) {}) {
+void write(
+    vtkDataObject* data, const std::filesystem::path& file,
+    const std::function<void(Writer&)>& setUp = [](Writer&) {}) {
   vtkNew<Writer> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(data);
@@ -147,18 +149,17 @@ TEST_P(VtuEncodings, HoldsTheSameBox) {
   expectBox(readMesh(folder / "box.vtu"), kRounding);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, VtuEncodings,
-    testing::Values(Encoding{"ascii", vtkXMLWriter::Ascii, false, vtkXMLWriter::NONE},
-                    Encoding{"binary", vtkXMLWriter::Binary, true, vtkXMLWriter::NONE},
-                    Encoding{"binary_zlib", vtkXMLWriter::Binary, true, vtkXMLWriter::ZLIB},
-                    Encoding{"raw", vtkXMLWriter::Appended, false, vtkXMLWriter::NONE},
-                    Encoding{"raw_zlib", vtkXMLWriter::Appended, false, vtkXMLWriter::ZLIB},
-                    Encoding{"raw_lz4", vtkXMLWriter::Appended, false, vtkXMLWriter::LZ4},
-                    Encoding{"raw_lzma", vtkXMLWriter::Appended, false, vtkXMLWriter::LZMA},
-                    Encoding{"base64", vtkXMLWriter::Appended, true, vtkXMLWriter::NONE},
-                    Encoding{"base64_zlib", vtkXMLWriter::Appended, true, vtkXMLWriter::ZLIB}),
-    [](const auto& row) { return row.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, VtuEncodings,
+                         testing::Values(Encoding{"ascii", vtkXMLWriter::Ascii, false, vtkXMLWriter::NONE},
+                                         Encoding{"binary", vtkXMLWriter::Binary, true, vtkXMLWriter::NONE},
+                                         Encoding{"binary_zlib", vtkXMLWriter::Binary, true, vtkXMLWriter::ZLIB},
+                                         Encoding{"raw", vtkXMLWriter::Appended, false, vtkXMLWriter::NONE},
+                                         Encoding{"raw_zlib", vtkXMLWriter::Appended, false, vtkXMLWriter::ZLIB},
+                                         Encoding{"raw_lz4", vtkXMLWriter::Appended, false, vtkXMLWriter::LZ4},
+                                         Encoding{"raw_lzma", vtkXMLWriter::Appended, false, vtkXMLWriter::LZMA},
+                                         Encoding{"base64", vtkXMLWriter::Appended, true, vtkXMLWriter::NONE},
+                                         Encoding{"base64_zlib", vtkXMLWriter::Appended, true, vtkXMLWriter::ZLIB}),
+                         [](const auto& row) { return row.param.name; });
 
 TEST(VtkStructured, EveryKindBecomesFiveTetrahedraACell) {
   const Folder folder;

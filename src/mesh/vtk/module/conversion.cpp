@@ -58,8 +58,8 @@ std::vector<std::uint8_t> flagged(vtkUnsignedCharArray* ghosts, std::size_t coun
 }
 
 std::vector<std::uint8_t> hiddenCells(vtkDataSet& data) {
-  constexpr unsigned kFlags = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-                              vtkDataSetAttributes::REFINEDCELL;
+  constexpr unsigned kFlags =
+      vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   return flagged(data.GetCellGhostArray(), static_cast<std::size_t>(data.GetNumberOfCells()), kFlags);
 }
 
@@ -84,14 +84,17 @@ void appendCells(vtkUnstructuredGrid& grid, const std::vector<std::uint8_t>& hid
   const vtkIdType count = grid.GetNumberOfCells();
   soup.types.reserve(static_cast<std::size_t>(count));
   soup.offsets.reserve(static_cast<std::size_t>(count) + 1);
-  soup.connectivity.reserve(static_cast<std::size_t>(grid.GetCells() ? grid.GetCells()->GetNumberOfConnectivityIds() : 0));
+  soup.connectivity.reserve(
+      static_cast<std::size_t>(grid.GetCells() ? grid.GetCells()->GetNumberOfConnectivityIds() : 0));
   soup.offsets.push_back(0);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < count; ++cell) {
     if (!hidden.empty() && hidden[static_cast<std::size_t>(cell)]) continue;
     const int type = grid.GetCellType(cell);
-    if (type == VTK_POLYHEDRON) grid.GetFaceStream(cell, ids);
-    else grid.GetCellPoints(cell, ids);
+    if (type == VTK_POLYHEDRON)
+      grid.GetFaceStream(cell, ids);
+    else
+      grid.GetCellPoints(cell, ids);
     soup.types.push_back(static_cast<std::uint8_t>(type));
     soup.connectivity.insert(soup.connectivity.end(), ids->begin(), ids->end());
     soup.offsets.push_back(static_cast<std::int64_t>(soup.connectivity.size()));
@@ -135,8 +138,7 @@ bool convertStructured(Grid& grid, GridSink& sink) {
   block.blank = blankOf(grid);
   block.hiddenCell = hiddenCells(grid);
   block.pointFields = fieldsOf(*grid.GetPointData(), block.points.size(), "point", sink);
-  block.cellFields =
-      fieldsOf(*grid.GetCellData(), static_cast<std::size_t>(grid.GetNumberOfCells()), "cell", sink);
+  block.cellFields = fieldsOf(*grid.GetCellData(), static_cast<std::size_t>(grid.GetNumberOfCells()), "cell", sink);
   noteLeftOut(block.hiddenCell, sink);
   sink.add(std::move(block));
   return true;

@@ -65,8 +65,7 @@ Output readExodus(const GridRequest& request, GridSink& sink) {
   reader->SetFileName(request.file.c_str());
   reader->ApplyDisplacementsOff();
   reader->UpdateInformation();
-  for (const auto kind : {vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::NODAL})
-    reader->SetAllArrayStatus(kind, 1);
+  for (const auto kind : {vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::NODAL}) reader->SetAllArrayStatus(kind, 1);
   for (int block = 0; block < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++block)
     reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
   return lastStep(reader, sink);
@@ -112,8 +111,9 @@ struct VtkFormat {
 };
 
 constexpr VtkFormat kFormats[] = {
-    {".vtk", readLegacy}, {".vtu", readXml},    {".pvtu", readXml},   {".vti", readXml}, {".vts", readXml},     {".vtr", readXml},
-    {".ex2", readExodus}, {".exo", readExodus}, {".e", readExodus}, {".case", readEnSight}, {".cgns", readCgns},
+    {".vtk", readLegacy}, {".vtu", readXml},      {".pvtu", readXml},   {".vti", readXml},
+    {".vts", readXml},    {".vtr", readXml},      {".ex2", readExodus}, {".exo", readExodus},
+    {".e", readExodus},   {".case", readEnSight}, {".cgns", readCgns},
 };
 
 }  // namespace

@@ -10,13 +10,12 @@ namespace havs {
 
 std::vector<double> valuesOf(vtkDataArray& array) {
   std::vector<double> values(static_cast<std::size_t>(array.GetNumberOfValues()));
+  const auto components = static_cast<std::size_t>(array.GetNumberOfComponents());
   switch (array.GetDataType()) {
-    vtkTemplateMacro(
-        std::copy_n(static_cast<const VTK_TT*>(array.GetVoidPointer(0)), values.size(), values.begin()));
+    vtkTemplateMacro(std::copy_n(static_cast<const VTK_TT*>(array.GetVoidPointer(0)), values.size(), values.begin()));
     default:  // packed bits
       for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = array.GetComponent(static_cast<vtkIdType>(i) / array.GetNumberOfComponents(),
-                                       static_cast<int>(i) % array.GetNumberOfComponents());
+        values[i] = array.GetComponent(static_cast<vtkIdType>(i / components), static_cast<int>(i % components));
   }
   return values;
 }

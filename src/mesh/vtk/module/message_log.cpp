@@ -38,8 +38,10 @@ std::string phrase(std::string text) {
   std::string result;
   for (const char c : text) {
     const bool space = static_cast<unsigned char>(c) <= ' ';
-    if (!space) result += c;
-    else if (!result.empty() && result.back() != ' ') result += ' ';
+    if (!space)
+      result += c;
+    else if (!result.empty() && result.back() != ' ')
+      result += ' ';
   }
   while (!result.empty() && (result.back() == ' ' || result.back() == '.')) result.pop_back();
   constexpr std::size_t kLongest = 300;
