@@ -20,11 +20,12 @@ uniform float terminalOpacity;
 // Per face, in drawing order: the scalars of the cells behind it as seen from its front and from its back.
 layout(std430, binding = 0) readonly buffer FaceScalars { vec2 faceScalars[]; };
 layout(std430, binding = 1) readonly buffer FaceOrder { uint faceOrder[]; };
+uniform int firstFace;  // of the batch
 #endif
 
 Fragment incomingFragment() {
 #ifdef HAVS_CELL_DATA
-  vec2 sides = faceScalars[faceOrder[gl_PrimitiveID]];
+  vec2 sides = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
   float behind = gl_FrontFacing ? sides.x : sides.y;
 #else
   float behind = clamp(scalar, 0.0, 1.0);

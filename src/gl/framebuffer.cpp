@@ -80,13 +80,13 @@ void Framebuffer::clear(int i, const std::array<std::uint32_t, 4>& value) const 
 
 std::vector<float> Framebuffer::readFloats(int i, GLenum format) const {
   std::vector<float> pixels(valuesOf(format));
-  read(i, format, GL_FLOAT, pixels.data());
+  read(i, format, GL_FLOAT, pixels.data(), width_, height_);
   return pixels;
 }
 
 std::vector<std::uint32_t> Framebuffer::readUints(int i, GLenum format) const {
   std::vector<std::uint32_t> pixels(valuesOf(format));
-  read(i, format, GL_UNSIGNED_INT, pixels.data());
+  read(i, format, GL_UNSIGNED_INT, pixels.data(), width_, height_);
   return pixels;
 }
 
@@ -95,11 +95,17 @@ std::size_t Framebuffer::valuesOf(GLenum format) const {
          static_cast<std::size_t>(componentsOf(format));
 }
 
-void Framebuffer::read(int i, GLenum format, GLenum type, void* pixels) const {
+void Framebuffer::readInto(float* pixels, int i, int width, int height, int rowPixels) const {
+  glPixelStorei(GL_PACK_ROW_LENGTH, rowPixels);
+  read(i, GL_RGBA, GL_FLOAT, pixels, width, height);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+}
+
+void Framebuffer::read(int i, GLenum format, GLenum type, void* pixels, int width, int height) const {
   glNamedFramebufferReadBuffer(id(), GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, id());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, format, type, pixels);
+  glReadPixels(0, 0, width, height, format, type, pixels);
   checkGl(fmt::format("reading target {} of framebuffer '{}'", i, label_));
 }
 

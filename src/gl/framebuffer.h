@@ -29,6 +29,8 @@ class Framebuffer {
   void clear(int i, const std::array<std::uint32_t, 4>& value) const;
   /// Pixels of attachment `i` as `format` (GL_RGBA, GL_RED, ...), rows from the bottom up as OpenGL has them.
   std::vector<float> readFloats(int i, GLenum format = GL_RGBA) const;
+  /// The lower left `width` x `height` pixels of attachment `i` as RGBA into rows that begin `rowPixels` pixels apart.
+  void readInto(float* pixels, int i, int width, int height, int rowPixels) const;
   std::vector<std::uint32_t> readUints(int i, GLenum format = GL_RGBA_INTEGER) const;
 
   GLuint id() const { return handle_.id(); }
@@ -36,7 +38,7 @@ class Framebuffer {
   int height() const { return height_; }
 
  private:
-  void read(int i, GLenum format, GLenum type, void* pixels) const;
+  void read(int i, GLenum format, GLenum type, void* pixels, int width, int height) const;
   std::size_t valuesOf(GLenum format) const;
   static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
 

@@ -1,11 +1,12 @@
 // The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read the colour back; tile by
 // tile where a picture is larger than its targets may be.
 #include <algorithm>
-#include <cstring>
+#include <deque>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/error.h"
 #include "gl/check.h"
+#include "gl/fence.h"
 #include "gl/framebuffer.h"
 #include "gl/limits.h"
 #include "gl/program_cache.h"
@@ -21,6 +22,11 @@ constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
 constexpr float kMostOpacity = 0.99999994f;
 /// The eye lies outside the mesh, depth is not tested: only what is as good as behind the eye is clipped. Local units.
 constexpr double kNearPlane = 1e-6;
+
+/// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a million are drawn in one
+/// go. Batches are therefore waited for, the last but so many first, which costs no time (docs/llvmpipe.md).
+constexpr std::size_t kFacesPerBatch = 65536;
+constexpr std::size_t kBatchesUnderWay = 2;
 
 /// A rectangle of the picture, rows from the bottom up as OpenGL counts.
 struct Tile {
@@ -111,7 +117,7 @@ class KBufferRenderer final : public Renderer {
       const ScopedStage timer(stages, "draw");
       beginTile(tile);
       setUniforms(insert_, view, tile);
-      mesh_->draw();
+      drawFaces();
       glFinish();
     }
     {
@@ -124,6 +130,20 @@ class KBufferRenderer final : public Renderer {
     checkGl("drawing");
     const ScopedStage timer(stages, "readback");
     readTile(tile, image);
+  }
+
+  void drawFaces() const {
+    mesh_->bind();
+    std::deque<Fence> underWay;
+    for (std::size_t first = 0; first < mesh_->faceCount(); first += kFacesPerBatch) {
+      if (underWay.size() == kBatchesUnderWay) {
+        underWay.front().wait();
+        underWay.pop_front();
+      }
+      insert_.set("firstFace", static_cast<int>(first));
+      mesh_->drawBatch(first, std::min(kFacesPerBatch, mesh_->faceCount() - first));
+      underWay.emplace_back();
+    }
   }
 
   void beginTile(const Tile& tile) {
@@ -147,11 +167,11 @@ class KBufferRenderer final : public Renderer {
 
   /// Into the picture's rows, which go from the top down.
   void readTile(const Tile& tile, Image& image) const {
-    const std::vector<float> pixels = framebuffer_->readFloats(0);
-    for (int row = 0; row < tile.height; ++row) {
-      const auto source = std::size_t{4} * static_cast<std::size_t>(row) * static_cast<std::size_t>(framebuffer_->width());
-      std::memcpy(image.pixel(tile.x, image.height - 1 - (tile.y + row)), &pixels[source],
-                  4 * sizeof(float) * static_cast<std::size_t>(tile.width));
+    const int top = image.height - tile.y - tile.height;
+    framebuffer_->readInto(image.pixel(tile.x, top), 0, tile.width, tile.height, image.width);
+    for (int low = top, high = top + tile.height - 1; low < high; ++low, --high) {
+      float* const row = image.pixel(tile.x, low);
+      std::swap_ranges(row, row + std::size_t{4} * static_cast<std::size_t>(tile.width), image.pixel(tile.x, high));
     }
   }
 

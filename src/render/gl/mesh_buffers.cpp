@@ -80,13 +80,16 @@ void MeshBuffers::setOrder(const FaceOrder& order) {
   if (order_) order_->upload(std::span(order.faces));
 }
 
-void MeshBuffers::draw() const {
+void MeshBuffers::bind() const {
   array_.bind();
-  if (cellScalars_) {
-    cellScalars_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceScalarsBinding);
-    order_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceOrderBinding);
-  }
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * faces_.size()), GL_UNSIGNED_INT, nullptr);
+  if (!cellScalars_) return;
+  cellScalars_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceScalarsBinding);
+  order_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceOrderBinding);
+}
+
+void MeshBuffers::drawBatch(std::size_t first, std::size_t count) const {
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(Triangle)));
 }
 
 }  // namespace havs

@@ -16,8 +16,12 @@ class MeshBuffers {
 
   /// Writes the indices of the faces in `order`, in parallel.
   void setOrder(const FaceOrder& order);
-  /// Draws all faces in that order.
-  void draw() const;
+  /// Binds what drawBatch needs.
+  void bind() const;
+  /// Draws `count` faces of the order from the `first` on. A program for cell data is told of `first` by its uniform firstFace.
+  void drawBatch(std::size_t first, std::size_t count) const;
+
+  std::size_t faceCount() const { return faces_.size(); }
 
   /// Number of the first vertex that is a copy for boundary faces.
   int firstBoundaryVertex() const { return firstBoundaryVertex_; }
