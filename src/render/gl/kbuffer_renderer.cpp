@@ -1,17 +1,16 @@
 // The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read the colour back; tile by
 // tile where a picture is larger than its targets may be.
 #include <algorithm>
-#include <deque>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/error.h"
 #include "gl/check.h"
-#include "gl/fence.h"
 #include "gl/framebuffer.h"
 #include "gl/limits.h"
 #include "gl/program_cache.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
+#include "render/gl/tile.h"
 #include "render/renderer.h"
 
 namespace havs {
@@ -20,49 +19,6 @@ namespace {
 constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
 constexpr float kMostOpacity = 0.99999994f;
-/// The eye lies outside the mesh, depth is not tested: only what is as good as behind the eye is clipped. Local units.
-constexpr double kNearPlane = 1e-6;
-
-/// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a million are drawn in one
-/// go. Batches are therefore waited for, the last but so many first, which costs no time (docs/llvmpipe.md).
-constexpr std::size_t kFacesPerBatch = 65536;
-constexpr std::size_t kBatchesUnderWay = 2;
-
-/// A rectangle of the picture, rows from the bottom up as OpenGL counts.
-struct Tile {
-  int x, y, width, height;
-};
-
-std::vector<Tile> tilesOf(const View& view, const RenderPlan& plan) {
-  std::vector<Tile> tiles;
-  for (int y = 0; y < view.height; y += plan.tileHeight)
-    for (int x = 0; x < view.width; x += plan.tileWidth)
-      tiles.push_back({x, y, std::min(plan.tileWidth, view.width - x), std::min(plan.tileHeight, view.height - y)});
-  return tiles;
-}
-
-/// From the local frame to the clip coordinates of a tile; made in double, rounded once. Depth only serves to clip at the near plane.
-Mat4 clipMatrix(const View& view, const Tile& tile) {
-  const double perspective = view.orthographic ? 0.0 : 1.0;
-  // Rows of the whole picture's matrix: u, v of design's ray, and w.
-  const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -dot(view.forward, view.center)};
-  auto row = [&](const Vec3& axis, double half) { return Vec4{axis / half, -dot(axis, view.center) / half}; };
-  const Vec4 u = row(view.right, view.halfWidth), v = row(view.up, view.halfHeight);
-  // The tile's middle goes to 0, its half size to 1.
-  auto crop = [&](const Vec4& r, double first, double size, double whole) {
-    const double middle = (2.0 * first + size) / whole - 1.0;
-    return (r - middle * w) * (whole / size);
-  };
-  const Vec4 z = view.orthographic ? Vec4{0.0} : w - Vec4{0, 0, 0, 2.0 * kNearPlane};
-  return transpose(Mat4{crop(u, tile.x, tile.width, view.width), crop(v, tile.y, tile.height, view.height), z, w});
-}
-
-/// Scale (xy) and offset (zw) from the tile's window coordinates to the slope of the pixel's ray against the view direction.
-glm::vec4 pixelToRay(const View& view, const Tile& tile) {
-  if (view.orthographic) return glm::vec4(0.0f);
-  const double sx = 2.0 * view.halfWidth / view.width, sy = 2.0 * view.halfHeight / view.height;
-  return {sx, sy, tile.x * sx - view.halfWidth, tile.y * sy - view.halfHeight};
-}
 
 ShaderOptions shaderOptions(const RenderPlan& plan) {
   ShaderOptions options;
@@ -117,7 +73,7 @@ class KBufferRenderer final : public Renderer {
       const ScopedStage timer(stages, "draw");
       beginTile(tile);
       setUniforms(insert_, view, tile);
-      drawFaces();
+      mesh_->drawInBatches([&](std::size_t first) { insert_.set("firstFace", static_cast<int>(first)); });
       glFinish();
     }
     {
@@ -130,20 +86,6 @@ class KBufferRenderer final : public Renderer {
     checkGl("drawing");
     const ScopedStage timer(stages, "readback");
     readTile(tile, image);
-  }
-
-  void drawFaces() const {
-    mesh_->bind();
-    std::deque<Fence> underWay;
-    for (std::size_t first = 0; first < mesh_->faceCount(); first += kFacesPerBatch) {
-      if (underWay.size() == kBatchesUnderWay) {
-        underWay.front().wait();
-        underWay.pop_front();
-      }
-      insert_.set("firstFace", static_cast<int>(first));
-      mesh_->drawBatch(first, std::min(kFacesPerBatch, mesh_->faceCount() - first));
-      underWay.emplace_back();
-    }
   }
 
   void beginTile(const Tile& tile) {
@@ -160,7 +102,7 @@ class KBufferRenderer final : public Renderer {
     program.set("toClip", glm::mat4(clipMatrix(view, tile)));
     program.set("forward", glm::vec3(view.forward));
     program.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
-    program.set("pixelToRay", pixelToRay(view, tile));
+    program.set("pixelToRay", glm::vec4(pixelToRay(view, tile)));
     program.set("terminalOpacity", std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity));
     textures_->bind(program);
   }

@@ -1,8 +1,11 @@
 #include "render/gl/mesh_buffers.h"
 
+#include <algorithm>
 #include <array>
+#include <deque>
 
 #include "core/parallel.h"
+#include "gl/fence.h"
 
 namespace havs {
 namespace {
@@ -11,6 +14,11 @@ using Triangle = std::array<Index, 3>;
 struct Vertex {
   float x, y, z, scalar;
 };
+
+/// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a million are drawn in one
+/// go. Batches are therefore waited for, the last but so many first, which costs no time (docs/llvmpipe.md).
+constexpr std::size_t kFacesPerBatch = 65536;
+constexpr std::size_t kBatchesUnderWay = 2;
 
 constexpr GLuint kFaceScalarsBinding = 0, kFaceOrderBinding = 1;  // as in kbuffer.frag
 
@@ -87,9 +95,20 @@ void MeshBuffers::bind() const {
   order_->bindBase(GL_SHADER_STORAGE_BUFFER, kFaceOrderBinding);
 }
 
-void MeshBuffers::drawBatch(std::size_t first, std::size_t count) const {
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(first * sizeof(Triangle)));
+void MeshBuffers::drawInBatches(const std::function<void(std::size_t)>& prepare) const {
+  bind();
+  std::deque<Fence> underWay;
+  for (std::size_t first = 0; first < faces_.size(); first += kFacesPerBatch) {
+    if (underWay.size() == kBatchesUnderWay) {
+      underWay.front().wait();
+      underWay.pop_front();
+    }
+    prepare(first);
+    const std::size_t count = std::min(kFacesPerBatch, faces_.size() - first);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(Triangle)));
+    underWay.emplace_back();
+  }
 }
 
 }  // namespace havs

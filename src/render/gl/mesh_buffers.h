@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 
 #include "gl/buffer.h"
@@ -16,17 +17,15 @@ class MeshBuffers {
 
   /// Writes the indices of the faces in `order`, in parallel.
   void setOrder(const FaceOrder& order);
-  /// Binds what drawBatch needs.
-  void bind() const;
-  /// Draws `count` faces of the order from the `first` on. A program for cell data is told of `first` by its uniform firstFace.
-  void drawBatch(std::size_t first, std::size_t count) const;
-
-  std::size_t faceCount() const { return faces_.size(); }
+  /// Draws all faces in that order, in batches. Before each, `prepare` is told the number of its first face in the order (the uniform firstFace of
+  /// programs for cell data).
+  void drawInBatches(const std::function<void(std::size_t firstFace)>& prepare) const;
 
   /// Number of the first vertex that is a copy for boundary faces.
   int firstBoundaryVertex() const { return firstBoundaryVertex_; }
 
  private:
+  void bind() const;
   void uploadVertices(const PreparedScene& prepared);
 
   const Faces& faces_;
