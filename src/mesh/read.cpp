@@ -97,13 +97,27 @@ const MeshFormat& formatOf(const fs::path& file) {
             fmt::format("did you mean '{}'? known: {}", nearestName(extension, knownExtensions()), known));
 }
 
+/// Files beside the missing one whose names begin like it ("bluntfin" -> "bluntfinxyz.bin"), else advice.
+std::string namesLike(const fs::path& file) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!file.filename().empty() && name.starts_with(file.stem().string())) names.push_back(name);
+  }
+  if (names.empty()) return "check the path";
+  std::sort(names.begin(), names.end());
+  return fmt::format("did you mean {}?", fmt::join(names, " or "));
+}
+
 void checkFile(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (file.empty()) failInput("the mesh file's name is empty", "", "name a mesh file");
   if (!fs::exists(status))
     failInput(error && status.type() != fs::file_type::not_found ? error.message() : std::string("no such file"),
-              file.string(), "check the path");
+              file.string(), namesLike(file));
   if (fs::is_directory(status)) failInput("this is a directory", file.string(), "name a mesh file in it");
   if (!fs::is_regular_file(status)) failInput("this is no regular file", file.string(), "name a mesh file");
   if (fs::file_size(file, error) == 0) failInput("the file is empty", file.string(), "write it again");

@@ -120,6 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ReadMesh, FilesThatAreNone) {
   const test::TemporaryFolder folder;
   EXPECT_THAT(readError(folder / "missing.node"), AllOf(HasSubstr("missing.node"), HasSubstr("no such file")));
+  std::ofstream(folder / "finxyz.bin") << "x";
+  EXPECT_THAT(readError(folder / "fin"), HasSubstr("did you mean finxyz.bin?"));
   EXPECT_THAT(readError(""), HasSubstr("name is empty"));
   std::filesystem::create_directory(folder / "folder.node");
   EXPECT_THAT(readError(folder / "folder.node"), HasSubstr("directory"));
