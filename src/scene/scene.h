@@ -16,8 +16,8 @@ struct Scene {
   std::string tetgenSwitches = "pq";
   std::string field;                        ///< empty: the default field
   std::string transferFunction = "rainbow"; ///< preset or file
-  std::optional<double> unitLength;         ///< overrides the transfer function's
-  std::optional<std::array<double, 2>> domain;
+  std::optional<double> unitLength;         ///< mesh units; overrides the transfer function's
+  std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
   int width = 1024;
   int height = 1024;
   Camera camera;
