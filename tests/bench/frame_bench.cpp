@@ -27,7 +27,7 @@ struct Options {
   std::string mesh = HAVS_MESHES "/cube.poly";
   std::string switches = "pqa1.9e-6";
   std::string field;
-  std::string transferFunction = "rainbow";
+  std::string transferFunction = "viridis";
   int size = 1024;
   int k = 6;
   int repeat = 7;

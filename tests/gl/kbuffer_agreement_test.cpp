@@ -96,6 +96,31 @@ TEST_P(KBufferAgreement, ShaderAgainstItsOwnArithmeticInDouble) {
     }
 }
 
+// An annulus whose first and last cells meet in two sets of points at the same places: nothing tells that they are neighbours.
+TEST_P(KBufferAgreement, SeamOfAnOGrid) {
+  const TransferFile transfer(constantTransfer(1.0));
+  for (const char* sort : {"topological", "centroid"}) {
+    Scene scene = ballScene();
+    scene.transferFunction = transfer.path();
+    scene.lookup = "post";
+    scene.sort = sort;
+    TetMesh mesh = oGrid(6, 48, 6);
+    auto values = constantField(mesh.points, 0.5);
+    const Drawing drawing = draw(*device_, scene, withPointField(std::move(mesh), std::move(values)));
+    const PreparedScene& prepared = drawing.prepared;
+    FaceOrder order;
+    sortMethod("exact").make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})->sort(viewPointOf(drawing.view), order);
+    const ReplayResult exact = replay({prepared.points, &prepared.faces, order.faces, {}, drawing.view}, 14,
+                                      constantExtinction(prepared.frame.radius));
+    const Difference difference = againstOpacity(
+        drawing,
+        [&](int x, int y) { return exact.image[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x)][3]; },
+        1e-4);
+    EXPECT_LE(difference.maximum, 1e-4) << sort << ": " << difference;
+    EXPECT_EQ(exact.misordered, 0u) << "the replay itself must be right";
+  }
+}
+
 TEST_P(KBufferAgreement, PaperPresetIsNearTheFloatTable) {
   Scene scene = ballScene();
   const Image exact = draw(*device_, scene, smoothBall()).image;
