@@ -36,11 +36,14 @@ struct MeshReport {
 /// `field`: as selectField's name; empty: the default. Throws Error{input} for a field that is asked for and not there.
 MeshReport reportMesh(const TetMesh& mesh, const std::filesystem::path& file, const std::string& field);
 
+/// Keys in snake_case; numbers from 0.
 nlohmann::ordered_json reportAsJson(const MeshReport& report);
+/// The same in a few lines for people.
 std::string reportAsText(const MeshReport& report);
 
+/// One object a kind, those with count 0 too.
 nlohmann::ordered_json defectsAsJson(const std::vector<Defect>& defects);
-/// "inverted_cells: 12, first 7; turned"
+/// "inverted_cells: 12, the first number 7; turned"
 std::string describe(const Defect& defect);
 
 }  // namespace havs

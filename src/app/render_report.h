@@ -9,7 +9,7 @@
 
 namespace havs {
 
-/// All that is known of a drawing, keys as in docs/03-scene.md; times in milliseconds, memory in bytes.
+/// All that is known of a drawing, keys in snake_case (docs/01-start.md); times in milliseconds, memory in bytes.
 nlohmann::ordered_json reportAsJson(const Scene& scene, const RenderReport& report,
                                     const std::vector<std::filesystem::path>& outputs);
 

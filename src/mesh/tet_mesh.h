@@ -11,7 +11,7 @@ namespace havs {
 
 using Index = std::uint32_t;
 inline constexpr Index kNoIndex = std::numeric_limits<Index>::max();
-/// Four point numbers; right-handed when dot(cross(p1 - p0, p2 - p0), p3 - p0) > 0 (VTK's and TetGen-of-VTK's sense).
+/// Four point numbers; right-handed when dot(cross(p1 - p0, p2 - p0), p3 - p0) > 0 (VTK's sense).
 using Tetrahedron = std::array<Index, 4>;
 
 /// Values at the points or at the cells: `components` values for each, one tuple after another, in the file's unit.

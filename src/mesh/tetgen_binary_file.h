@@ -11,7 +11,8 @@
 
 namespace havs {
 
-/// A file in memory, read number by number in a given byte order; never beyond its end.
+/// A file in memory, read number by number in a given byte order. Reading beyond its end throws Error{input}: "the file
+/// ends", with what was `wanted` and the byte.
 class BinaryFile {
  public:
   /// Throws Error{input} when it cannot be read.

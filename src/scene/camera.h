@@ -20,7 +20,7 @@ struct Camera {
   std::optional<Vec3> eye;            ///< overrides azimuth and elevation
   std::optional<Vec3> target;         ///< default the mesh's centre
   std::optional<Vec3> up;             ///< default +y; another axis when parallel to the view
-  std::optional<double> viewHeight;   ///< orthographic: height of the picture in mesh units; default fitted
+  std::optional<double> viewHeight;   ///< orthographic: height of the picture in mesh units at zoom 1; default fitted
 };
 
 /// "az,el[,zoom]", a JSON object with the names above in snake_case, or a file that holds one. Throws Error{input}: not finite, unknown key (names the

@@ -1,6 +1,5 @@
 #pragma once
-// The tables of methods. Adding a method is adding a row here and the shader it names; the command line, --help, the plan and the
-// parametrised tests iterate these rows.
+// The tables of methods (docs/06-add-a-method.md). The command line, --help and the plan go through these rows.
 #include <cstddef>
 #include <span>
 #include <string>
@@ -33,6 +32,7 @@ struct Lookup {
   LookupTable table;
 };
 std::span<const Lookup> lookups();
+/// Throws Error{input}, naming the nearest.
 const Lookup& lookup(const std::string& name);
 
 /// One row of the table of number formats of the 3D table (`--table-format`).
@@ -42,6 +42,7 @@ struct TableFormat {
   std::size_t bytesPerEntry = 0;
 };
 std::span<const TableFormat> tableFormats();
+/// Throws Error{input}, naming the nearest.
 const TableFormat& tableFormat(const std::string& name);
 
 }  // namespace havs

@@ -28,7 +28,8 @@ struct ShaderDefine {
   std::string value;
 };
 
-/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions.
+/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; device and order of the faces, which are not
+/// its own, are chosen by their names in the scene (render_scene.cpp).
 struct RenderPlan {
   VisibilityMethod visibility;
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order

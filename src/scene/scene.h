@@ -15,9 +15,9 @@ struct Scene {
   std::filesystem::path plot3dSolution;
   std::string tetgenSwitches = "pq";
   std::string field;                        ///< empty: the default field
-  std::string transferFunction = "viridis";  ///< preset or file
-  std::optional<double> unitLength;         ///< overrides the transfer function's
-  std::optional<std::array<double, 2>> domain;
+  std::string transferFunction = "viridis"; ///< preset or file
+  std::optional<double> unitLength;         ///< mesh units; overrides the transfer function's
+  std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
   int width = 1024;
   int height = 1024;
   Camera camera;

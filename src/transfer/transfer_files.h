@@ -1,6 +1,6 @@
 #pragma once
 // The readers behind loadTransferFunction: one a format, each from the file's bytes. `file` is what error messages
-// name.
+// name. All throw Error{input} for content that is broken or makes no sense, with its place.
 #include <string>
 #include <string_view>
 

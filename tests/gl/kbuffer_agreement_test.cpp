@@ -89,7 +89,7 @@ TEST_P(KBufferAgreement, ShaderAgainstItsOwnArithmeticInDouble) {
       for (std::size_t i = 0; i < replayed.image.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c) expected.rgba[4 * i + c] = static_cast<float>(replayed.image[i][c]);
       const Difference difference = between(drawing.image, expected, 1e-3, maskOf(drawing));
-      // Float interpolation on faces seen nearly edge on (design section 6): few pixels, and bounded by the colour's change over a cell.
+      // Float interpolation on faces seen nearly edge on: few pixels, and bounded by the colour's change over a cell.
       EXPECT_LE(difference.beyond, 3u) << sort << ": " << difference;
       const Difference most = between(drawing.image, expected, 2e-5, maskOf(drawing));
       EXPECT_LE(most.beyond, most.compared / 100) << sort << ": " << most;

@@ -1,4 +1,4 @@
-// Prints how many fragments come too late for a k-buffer of 1 to 14 entries (design 4.6), for each order:
+// Prints how many fragments come too late for a k-buffer of 1 to 14 entries, for each order:
 //   count_misordered MESH SIZE ORDER...
 // at the default camera. The picture is not drawn.
 #include <fmt/format.h>

@@ -28,7 +28,7 @@ struct ReplayInput {
 struct ReplayResult {
   std::vector<Rgba> image;           ///< row 0 on top; empty when no colour was asked for
   std::size_t fragments = 0;
-  std::size_t misordered = 0;        ///< late fragments (design 4.6)
+  std::size_t misordered = 0;        ///< late fragments (docs/02-method.md, The k-buffer)
   std::size_t misorderedPixels = 0;
   std::size_t unbalancedPixels = 0;  ///< where entries and exits differ in number
   std::size_t negativePixels = 0;    ///< where the inside-count is negative over more than a tie

@@ -1,6 +1,6 @@
 #pragma once
 // What havs and its VTK module, a library of its own, know of each other. The module is opened in a child process
-// (vtk_reader.cpp), so nothing of VTK is ever loaded into havs itself. No exception crosses the border.
+// (vtk_formats.cpp), so nothing of VTK is ever loaded into havs itself. No exception crosses the border.
 #include <string>
 
 #include "mesh/tet_mesh.h"

@@ -20,7 +20,7 @@ std::vector<Tile> tilesOf(const View& view, const RenderPlan& plan) {
 
 Mat4 clipMatrix(const View& view, const Tile& tile) {
   const double perspective = view.orthographic ? 0.0 : 1.0;
-  // Rows of the whole picture's matrix: u, v of design's ray, and w.
+  // Rows of the whole picture's matrix: u and v as in View, and w.
   const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -dot(view.forward, view.center)};
   auto row = [&](const Vec3& axis, double half) { return Vec4{axis / half, -dot(axis, view.center) / half}; };
   const Vec4 u = row(view.right, view.halfWidth), v = row(view.up, view.halfHeight);

@@ -1,5 +1,5 @@
-// The weights of a linear piece (shaders/core/integration.glsl) against adaptive quadrature over the whole domain of
-// design section 5.
+// The weights of a linear piece (shaders/core/integration.glsl) against adaptive quadrature over the whole domain:
+// optical depths 0 and 1e-12 to 1e4 at either end.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,8 +90,8 @@ TEST(Integration, WeightsOverTheWholeDomain) {
   }
   RecordProperty("double", std::to_string(worstDouble * 1e15L) + "e-15");
   RecordProperty("float", std::to_string(worstFloat * 1e7L) + "e-7");
-  EXPECT_LE(worstDouble, 1e-13L);  // design section 5
-  EXPECT_LE(worstFloat, 1e-6L);    // design section 5
+  EXPECT_LE(worstDouble, 1e-13L);  // the goals of docs/02-method.md
+  EXPECT_LE(worstFloat, 1e-6L);
 }
 
 TEST(Integration, WeightsAgainstThePlainDefinition) {
@@ -172,8 +172,8 @@ TEST(Integration, ConstantExtinctionIsTheClosedForm) {
 }
 
 TEST(Integration, ThinLayersInFloatAddUp) {
-  // 100,000 layers of optical depth 1e-5 make depth 1. Compositing in double shows the weights alone: 1e-6 is the goal
-  // of design section 5.
+  // 100,000 layers of optical depth 1e-5 make depth 1. Compositing in double shows the weights alone: 1e-6 is the
+  // goal.
   const auto layer = FloatArithmetic::linearPiece({1, 0.5F, 0, 1e-5F}, {1, 0.5F, 0, 1e-5F}, 1);
   DoubleArithmetic::Rgba sum(0, 0, 0, 0);
   FloatArithmetic::Rgba sumFloat(0, 0, 0, 0);

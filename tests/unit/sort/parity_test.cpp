@@ -1,4 +1,4 @@
-// Entries and exits at every pixel, and pictures whose every ray has a closed form: what the inside-count of design 4.3 promises.
+// Entries and exits at every pixel, and pictures whose every ray has a closed form: what the inside-count promises.
 #include <gtest/gtest.h>
 
 #include <algorithm>
