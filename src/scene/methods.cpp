@@ -38,8 +38,8 @@ std::span<const Lookup> lookups() {
 
 std::span<const TableFormat> tableFormats() {
   static const std::vector<TableFormat> rows{
-      {"rgba32f", "32-bit float, filtered by the texture unit", 16},
-      {"rgba8", "8 bits a channel (the paper's), filtered in the shader", 4},
+      {"rgba32f", "32-bit float, filtered by the texture unit", 16, false},
+      {"rgba8", "8 bits a channel (the paper's), filtered in the shader", 4, true},
   };
   return rows;
 }

@@ -40,6 +40,7 @@ struct TableFormat {
   std::string name;
   std::string description;
   std::size_t bytesPerEntry = 0;
+  bool eightBits = false;  ///< unsigned normalised bytes, which the shader filters itself; else floats
 };
 std::span<const TableFormat> tableFormats();
 /// Throws Error{input}, naming the nearest.

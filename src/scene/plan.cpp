@@ -38,7 +38,7 @@ std::vector<ShaderDefine> definesOf(const RenderPlan& result, const Scene& scene
   if (scene.compositeLate) defines.push_back({"HAVS_COMPOSITE_LATE", "1"});
   if (facts.cellData) defines.push_back({"HAVS_CELL_DATA", "1"});
   if (facts.opaqueSurfaces) defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
-  if (result.lookup.table == LookupTable::table3d && result.tableFormat.name == "rgba8")
+  if (result.lookup.table == LookupTable::table3d && result.tableFormat.eightBits)
     defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
   return defines;
 }

@@ -64,17 +64,34 @@ TEST_P(KBufferClosedForm, ConstantBoxFromSeveralSidesAtEveryK) {
       }
 }
 
-TEST_P(KBufferClosedForm, ConstantBoxWithTheTable) {
+TEST_P(KBufferClosedForm, ConstantBoxWithEveryLookup) {
   const TransferFile transfer(constantTransfer(kKappa));
-  for (auto projection : {Projection::perspective, Projection::orthographic})
-    for (int k : {1, 2, 6, 14}) {
-      Scene scene = smallScene(transfer.path());
-      scene.camera.projection = projection;
-      scene.k = k;
-      scene.lookup = "3d";
-      const Drawing drawing = draw(*device_, scene, constantBox());
-      EXPECT_LE(againstBox(drawing).maximum, tableBound(drawing, scene)) << "k " << k;
-    }
+  for (const VisibilityMethod& method : visibilityMethods())
+    for (const Lookup& row : lookups())
+      for (auto projection : {Projection::perspective, Projection::orthographic})
+        for (int k : {1, 2, 6, method.maximumK}) {
+          Scene scene = smallScene(transfer.path());
+          scene.visibility = method.name;
+          scene.lookup = row.name;
+          scene.camera.projection = projection;
+          scene.k = k;
+          const Drawing drawing = draw(*device_, scene, constantBox());
+          const double bound = row.table == LookupTable::table3d ? tableBound(drawing, scene) : kFloat;
+          EXPECT_LE(againstBox(drawing).maximum, bound) << row.name << ", k " << k;
+        }
+}
+
+// A table entry of a format with b bits is off by half a step of 1 / (2^b - 1), each segment by that much again.
+TEST_P(KBufferClosedForm, ConstantBoxWithEveryTableFormat) {
+  const TransferFile transfer(constantTransfer(kKappa));
+  for (const TableFormat& format : tableFormats()) {
+    Scene scene = smallScene(transfer.path());
+    scene.lookup = "3d";
+    scene.tableFormat = format.name;
+    const Drawing drawing = draw(*device_, scene, constantBox());
+    const double rounding = format.eightBits ? 3.0 * 6 * kBoxEdge * 0.5 / 255 : 0.0;
+    EXPECT_LE(againstBox(drawing).maximum, tableBound(drawing, scene) + rounding) << format.name;
+  }
 }
 
 TEST_P(KBufferClosedForm, TheSmallestScalarIsDrawnAsAnyOther) {

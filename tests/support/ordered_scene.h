@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct OrderedScene {
   FaceOrder order(const std::string& sort, const View& view) const;
   /// Replays the named order.
   ReplayResult replay(const std::string& sort, const View& view, int k, const SegmentColor& color = {}) const;
+  /// The same for each of `ks`, without pictures.
+  std::vector<ReplayResult> replay(const std::string& sort, const View& view, std::span<const int> ks) const;
 };
 
 }  // namespace havs::test

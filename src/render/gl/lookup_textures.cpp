@@ -31,7 +31,7 @@ void LookupTextures::makeTable(const ExtinctionCurve& seen, double longestEdge, 
                                const Progress& progress) {
   const Table3d table = buildTable3d(seen, plan.tableSize, longestEdge, progress);
   lengthScale_ = static_cast<float>(1.0 / table.maximumLength);
-  const bool eightBits = plan.tableFormat.name == "rgba8";
+  const bool eightBits = plan.tableFormat.eightBits;
   table_ = Texture::image3D("pre-integrated table", eightBits ? GL_RGBA8 : GL_RGBA32F, table.size, table.size, table.size);
   if (eightBits) {
     table_->upload(GL_RGBA, std::span<const std::uint8_t>(toRgba8(table)));
