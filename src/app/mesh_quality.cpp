@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/median.h"
+
 namespace havs {
 namespace {
 
@@ -16,12 +18,10 @@ void include(Range& range, double value) {
   range.maximum = std::max(range.maximum, value);
 }
 
-bool isFinite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 Range edgeLengths(const Corners& p) {
   Range range = emptyRange();
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j) include(range, glm::length(p[i] - p[j]));
+    for (std::size_t j = 0; j < i; ++j) include(range, std::hypot(p[i].x - p[j].x, p[i].y - p[j].y, p[i].z - p[j].z));
   return range;
 }
 
@@ -33,16 +33,12 @@ double surfaceOf(const Corners& p) {
   return area(p[0], p[1], p[2]) + area(p[0], p[1], p[3]) + area(p[0], p[2], p[3]) + area(p[1], p[2], p[3]);
 }
 
-/// Infinite for a flat cell.
-double aspectRatioOf(double longestEdge, double volume, double surface) {
-  const double inscribedRadius = 3 * volume / surface;
-  return longestEdge / (2 * std::sqrt(6.0) * inscribedRadius);
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Infinite for a flat cell. In units of the longest edge, as its cube may be too large or too small for a double.
+double aspectRatioOf(Corners p, double longestEdge) {
+  const Vec3 origin = p[0];
+  for (Vec3& corner : p) corner = (corner - origin) / longestEdge;
+  const double inscribedRadius = 3 * volumeOf(p) / surfaceOf(p);
+  return 1 / (2 * std::sqrt(6.0) * inscribedRadius);
 }
 
 }  // namespace
@@ -64,9 +60,8 @@ MeshQuality measureQuality(const TetMesh& mesh) {
     const Range edges = edgeLengths(p);
     include(quality.edgeLength, edges.minimum);
     include(quality.edgeLength, edges.maximum);
-    const double volume = volumeOf(p);
-    include(quality.volume, volume);
-    const double aspectRatio = aspectRatioOf(edges.maximum, volume, surfaceOf(p));
+    include(quality.volume, volumeOf(p));
+    const double aspectRatio = aspectRatioOf(p, edges.maximum);
     if (std::isfinite(aspectRatio)) aspectRatios.push_back(aspectRatio);
   }
   if (!any) return {};

@@ -22,19 +22,10 @@ std::vector<bool> pointsInUse(const TetMesh& mesh) {
   return used;
 }
 
-double magnitudeAt(const Field& field, std::size_t tuple) {
-  const std::size_t components = static_cast<std::size_t>(field.components);
-  const double* values = field.values.data() + tuple * components;
-  if (components == 1) return values[0];
-  double squares = 0;
-  for (std::size_t c = 0; c < components; ++c) squares += values[c] * values[c];
-  return std::sqrt(squares);
-}
-
 FieldSummary summarise(const Field& field, Centering centering, const std::vector<bool>& used) {
   FieldSummary summary{field.name, centering, field.components, std::nullopt};
   for (std::size_t i = 0; i < field.tuples(); ++i) {
-    const double value = magnitudeAt(field, i);
+    const double value = field.components == 1 ? field.values[i] : magnitudeAt(field, i);
     if ((centering == Centering::point && !used[i]) || !std::isfinite(value)) continue;
     if (!summary.range) summary.range = Range{value, value};
     summary.range->minimum = std::min(summary.range->minimum, value);
@@ -84,10 +75,6 @@ Json defectsAsJson(const std::vector<Defect>& defects) {
     json.push_back(row);
   }
   return json;
-}
-
-std::string describe(const Defect& defect) {
-  return fmt::format("{}: {}, the first number {}; {}", defect.name, defect.count, defect.first, defect.repair);
 }
 
 Json reportAsJson(const MeshReport& report) {

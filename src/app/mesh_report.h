@@ -43,7 +43,5 @@ std::string reportAsText(const MeshReport& report);
 
 /// One object a kind, those with count 0 too.
 nlohmann::ordered_json defectsAsJson(const std::vector<Defect>& defects);
-/// "inverted_cells: 12, the first number 7; turned"
-std::string describe(const Defect& defect);
 
 }  // namespace havs

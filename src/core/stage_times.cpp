@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
+#include "core/median.h"
+
 namespace havs {
-namespace {
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-}  // namespace
 
 void StageTimes::add(const std::string& stage, double milliseconds) {
   auto found = std::find_if(runs_.begin(), runs_.end(), [&](const auto& run) { return run.first == stage; });

@@ -31,8 +31,6 @@ CellState stateOf(const std::vector<Vec3>& points, const Tetrahedron& t) {
 
 }  // namespace
 
-bool isFinite(const Vec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
-
 std::vector<CellState> cellStates(const TetMesh& mesh) {
   std::vector<CellState> states(mesh.tetrahedra.size());
   parallelFor(0, states.size(), 4096, [&](std::size_t i) { states[i] = stateOf(mesh.points, mesh.tetrahedra[i]); });

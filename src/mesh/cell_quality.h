@@ -15,6 +15,4 @@ enum class CellState : unsigned char {
 /// The state of each cell; safe for coordinates from 1e-300 to 1e300. Parallel.
 std::vector<CellState> cellStates(const TetMesh& mesh);
 
-bool isFinite(const Vec3& point);
-
 }  // namespace havs

@@ -69,6 +69,10 @@ Tally nonFiniteScalars(const TetMesh& mesh) {
 
 }  // namespace
 
+std::string describe(const Defect& defect) {
+  return fmt::format("{}: {}, the first number {}; {}", defect.name, defect.count, defect.first, defect.repair);
+}
+
 std::vector<Defect> inspectMesh(const TetMesh& mesh) {
   const std::vector<CellState> states = cellStates(mesh);
   const std::size_t cells = mesh.tetrahedra.size();

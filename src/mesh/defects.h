@@ -17,6 +17,9 @@ struct Defect {
   std::string repair;     ///< what repairMesh does about it, one phrase
 };
 
+/// "inverted_cells: 12, the first number 7; turned"
+std::string describe(const Defect& defect);
+
 /// Counts every kind of defect (rows with count 0 too, so that a reader sees what was looked for). Linear time,
 /// parallel.
 /// flat: |volume| <= 1e-15 times the cube of the cell's longest edge; overfull face: a face of more than two cells.

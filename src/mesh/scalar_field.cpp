@@ -108,9 +108,7 @@ std::vector<double> valuesOf(const Choice& choice) {
       values[i] = from[i * n + static_cast<std::size_t>(choice.component)];
       return;
     }
-    double length = 0;
-    for (std::size_t c = 0; c < n; ++c) length = std::hypot(length, from[i * n + c]);
-    values[i] = length;
+    values[i] = magnitudeAt(*choice.field, i);
   });
   return values;
 }
@@ -133,6 +131,13 @@ void setRange(const TetMesh& mesh, ScalarField& field) {
 }
 
 }  // namespace
+
+double magnitudeAt(const Field& field, std::size_t tuple) {
+  const auto n = static_cast<std::size_t>(field.components);
+  double length = 0;
+  for (std::size_t c = 0; c < n; ++c) length = std::hypot(length, field.values[tuple * n + c]);
+  return length;
+}
 
 ScalarField selectField(const TetMesh& mesh, const std::string& name) {
   const Choice choice = name.empty() ? chosenByDefault(mesh) : parsed(mesh, name);

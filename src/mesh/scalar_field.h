@@ -17,6 +17,9 @@ struct ScalarField {
   double maximum = 0;
 };
 
+/// Length of one tuple of a vector field, safe for values from 1e-300 to 1e300.
+double magnitudeAt(const Field& field, std::size_t tuple);
+
 /// `name`: "F", "F:x|y|z|0|1|...|magnitude", optionally after "point:" or "cell:" (a name in both is the point field).
 /// A vector without a component gives its magnitude. Empty: first point scalar, else magnitude of the first point
 /// vector, else first cell scalar, else magnitude of the first cell vector. Throws Error{input}: no such field (names the

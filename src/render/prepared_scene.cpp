@@ -14,7 +14,7 @@ namespace {
 void noteRepairs(PreparedScene& prepared) {
   for (const Defect& defect : prepared.defects)
     if (defect.count > 0)
-      prepared.notes.push_back(fmt::format("{}: {} (first: {}), {}", defect.name, defect.count, defect.first, defect.repair));
+      prepared.notes.push_back(describe(defect));
 }
 
 TransferFunction transferFunctionOf(const Scene& scene) {

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
-bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 void checkCamera(const Camera& camera) {
   auto check = [](bool good, const char* what, const char* tryThis) {
     if (!good) failInput(what, "camera", tryThis);
@@ -24,9 +22,15 @@ void checkCamera(const Camera& camera) {
         "30 is the default");
   for (const auto* vector : {&camera.eye, &camera.target, &camera.up})
     check(!*vector || isFinite(**vector), "eye, target or up is not finite", "give three numbers");
-  check(!camera.up || length(*camera.up) > 0, "up has no length", "[0, 1, 0] is the default");
+  check(!camera.up || *camera.up != Vec3{0}, "up has no length", "[0, 1, 0] is the default");
   check(!camera.viewHeight || (std::isfinite(*camera.viewHeight) && *camera.viewHeight > 0),
         "the view height must be greater than 0", "give it in mesh units");
+}
+
+/// As normalize, for lengths whose square is too large or too small for a double.
+Vec3 safelyNormalized(const Vec3& v) {
+  const Vec3 a = abs(v);
+  return normalize(v / std::max({a.x, a.y, a.z}));
 }
 
 /// The coordinate axis that lies most across `direction`.
@@ -73,13 +77,13 @@ View makeView(const Camera& camera, const LocalFrame& frame, int width, int heig
 
   const Vec3 toTarget = stand.target - stand.eye;
   const double distance = length(toTarget);
-  if (!(distance > 0) || !std::isfinite(distance))
-    failInput("eye and target are the same point", "camera", "move one of them");
+  if (!std::isfinite(distance)) failInput("eye or target is too far away", "camera", "give them in mesh units");
+  if (!(distance > 0)) failInput("eye and target are the same point", "camera", "move one of them");
   view.forward = toTarget / distance;
   view.eye = stand.eye;
   view.center = view.orthographic ? stand.target : stand.eye;
 
-  Vec3 across = cross(view.forward, normalize(stand.up));
+  Vec3 across = cross(view.forward, safelyNormalized(stand.up));
   if (length(across) < 1e-9) across = cross(view.forward, axisAcross(view.forward));
   view.right = normalize(across);
   view.up = cross(view.right, view.forward);

@@ -1,6 +1,7 @@
 // The camera as text: "azimuth,elevation[,zoom]" or a JSON object.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -78,23 +79,15 @@ Camera fromAngles(const std::string& text, Projection projection) {
   Camera camera;
   camera.projection = projection;
   double* const parts[] = {&camera.azimuth, &camera.elevation, &camera.zoom};
+  const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',') + 1);
   std::istringstream stream(text);
   std::string part;
-  std::size_t count = 0;
-  while (std::getline(stream, part, ',')) {
-    std::size_t used = 0;
-    double value = NAN;
-    try {
-      value = std::stod(part, &used);
-    } catch (const std::exception&) {
-    }
-    if (count >= std::size(parts) || used == 0 || part.find_first_not_of(" ", used) != std::string::npos ||
-        !std::isfinite(value)) {
-      failInput("cannot read '" + text + "'", "camera", "give azimuth,elevation[,zoom] in degrees, JSON, or a JSON file");
-    }
-    *parts[count++] = value;
+  bool good = count == 2 || count == 3;
+  for (std::size_t i = 0; good && i < count; ++i) {
+    std::istringstream number(std::getline(stream, part, ',') ? part : "");
+    good = number >> *parts[i] && (number >> std::ws).eof();
   }
-  if (count < 2) failInput("cannot read '" + text + "'", "camera", "give azimuth,elevation[,zoom], JSON, or a JSON file");
+  if (!good) failInput("cannot read '" + text + "'", "camera", "give azimuth,elevation[,zoom] in degrees, JSON, or a JSON file");
   return camera;
 }
 

@@ -102,8 +102,10 @@ Points resampled(const Points& points, double tolerance) {
 }  // namespace
 
 double ExtinctionCurve::normalise(double value) const {
-  if (!(domain[0] < domain[1])) return 0.5;
-  return std::clamp(Shares(domain[0], domain[1], value).upper, 0.0, 1.0);
+  const auto& [low, high] = domain;
+  if (!(low < high)) return 0.5;
+  const double scale = std::isfinite(high - low) ? 1.0 : 0.5;  // data may span more than the largest double
+  return std::clamp(Shares(scale * low, scale * high, scale * value).upper, 0.0, 1.0);
 }
 
 ExtinctionCurve::Knot ExtinctionCurve::at(double s) const {

@@ -67,6 +67,20 @@ TEST_F(Info, RegularTetrahedronHasAspectRatioOne) {
   EXPECT_EQ(json["field"], nullptr);
 }
 
+/// Neither squares of values nor cubes of lengths may leave the range of a double.
+TEST_F(Info, ExtremeUnitsKeepRangesAndShapes) {
+  for (const char* unit : {"1e-150", "1e150"}) {
+    SCOPED_TRACE(unit);
+    const std::string u = unit;
+    writeTetgenMesh(folder, "one", "4 3 0 0\n0 " + u + " " + u + " " + u + "\n1 -" + u + " " + u + " -" + u + "\n2 " + u + " -" +
+                                       u + " -" + u + "\n3 -" + u + " -" + u + " " + u + "\n", "1 4 0\n0 0 1 2 3\n");
+    const auto json = nlohmann::json::parse(info({"one.node", "--json"}));
+    EXPECT_NEAR(json["quality"]["aspect_ratio"][1], 1, 1e-14);
+    const double edge = std::sqrt(8.0) * std::stod(u);
+    EXPECT_NEAR(json["quality"]["edge_length"][1], edge, 1e-14 * edge);
+  }
+}
+
 TEST_F(Info, DefectsAreCountedBeforeRepair) {
   const std::string cells = "4 4 0\n0 0 1 3 7\n1 0 2 3 7\n2 0 1 3 7\n3 0 1 2 3\n";  // sound, inverted, twice, flat
   writeTetgenMesh(folder, "bad", kCubeNode, cells);

@@ -30,6 +30,15 @@ std::string selectError(const TetMesh& mesh, const std::string& name) {
   return test::inputError([&] { selectField(mesh, name); });
 }
 
+TEST(MagnitudeAt, IsTheLengthAtAnyScale) {
+  for (const double scale : {1.0, 1e-300, 1e300}) {
+    const Field field{"v", 3, {0, 0, 0, 2 * scale, -3 * scale, 6 * scale}};
+    EXPECT_EQ(magnitudeAt(field, 0), 0);
+    EXPECT_NEAR(magnitudeAt(field, 1), 7 * scale, 1e-15 * 7 * scale);
+  }
+  EXPECT_EQ(magnitudeAt({"s", 1, {-4}}, 0), 4);
+}
+
 TEST(SelectField, DefaultIsTheFirstPointScalarThenVectorThenCellScalar) {
   TetMesh mesh = twoCells();
   ScalarField field = selectField(mesh, "");

@@ -86,6 +86,16 @@ TEST(Camera, UpParallelToTheViewStillGivesAFrame) {
   EXPECT_NEAR(dot(view.up, view.forward), 0, kRounding);
 }
 
+TEST(Camera, LengthOfUpDoesNotMatter) {
+  Camera camera;
+  camera.up = Vec3{1, 2, 0};
+  const View view = makeView(camera, kFrame, 10, 10);
+  for (const double scale : {1e-200, 1e200}) {
+    camera.up = scale * Vec3{1, 2, 0};
+    expectNear(makeView(camera, kFrame, 10, 10).up, view.up);
+  }
+}
+
 TEST(Camera, DescriptionGivesTheSameView) {
   for (auto projection : {Projection::perspective, Projection::orthographic}) {
     Camera camera = parseCamera("30,20,2.5", projection);
@@ -118,6 +128,10 @@ TEST(Camera, BadTextsGetOneClearError) {
   EXPECT_THAT(messageOf("{\"field_of_view\": 180}"), HasSubstr("between 0 and 180"));
   EXPECT_THAT(messageOf("{\"eye\": [10, 20, 30]}"), HasSubstr("same point"));
   EXPECT_THAT(messageOf("{broken"), HasSubstr("not a JSON object"));
+  for (const char* text : {"30,20,", "30,20,1,", "30,,20", "30 20", "30,20x", ",30,20", "1,2,3,4"})
+    EXPECT_THAT(messageOf(text), HasSubstr(std::string("cannot read '") + text + "'"));
+  EXPECT_THAT(messageOf("{\"eye\": [1e200, 0, 0]}"), HasSubstr("too far away"));
+  EXPECT_THAT(messageOf("{\"up\": [0, 0, 0]}"), HasSubstr("up has no length"));
 }
 
 }  // namespace

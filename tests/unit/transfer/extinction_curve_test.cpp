@@ -12,6 +12,17 @@ namespace {
 
 double unitDepth(double opacity) { return -std::log1p(-std::min(opacity, 1 - 0x1p-24)); }
 
+TEST(ExtinctionCurve, NormalisesDomainsAtTheLimitsOfADouble) {
+  for (const double end : {1e308, 1e-307, 0x1p-1073}) {
+    SCOPED_TRACE(end);
+    const ExtinctionCurve curve = makeCurve({.points = {{0, {}, 0.5}}}, {.fieldRange = {-end, end}});
+    EXPECT_EQ(curve.normalise(-end), 0);
+    EXPECT_EQ(curve.normalise(0), 0.5);
+    EXPECT_EQ(curve.normalise(end / 2), 0.75);
+    EXPECT_EQ(curve.normalise(end), 1);
+  }
+}
+
 TEST(ExtinctionCurve, PerUnitStaysWithinTheToleranceEverywhere) {
   for (double tolerance : {1e-2, 1e-4, 1e-6}) {
     for (const TransferFunction& f :
