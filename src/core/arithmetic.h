@@ -1,6 +1,7 @@
 #pragma once
-// The arithmetic of a fragment as C++: the very files that the shaders include (shaders/core), compiled over a number type.
-// Arithmetic<DoubleLane> has it in double, Arithmetic<FloatLane> with the rounding of a GPU; a SIMD batch may stand in as lane.
+// The arithmetic of a fragment as C++: the very files that the shaders include (shaders/core), compiled over a number
+// type. Arithmetic<DoubleLane> has it in double, Arithmetic<FloatLane> with the rounding of a GPU; a SIMD batch may
+// stand in as lane.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -60,11 +61,11 @@ struct Arithmetic {
   static Real roundToIntegral(Real x) { return Lane::roundToIntegral(x); }
   static Real squareRoot(Real x) { return Lane::squareRoot(x); }
 
-#include "core/kbuffer.glsl"
 #include "core/compositing.glsl"
-#include "core/opaque.glsl"
 #include "core/exponential.glsl"
 #include "core/integration.glsl"
+#include "core/kbuffer.glsl"
+#include "core/opaque.glsl"
 };
 
 #undef FUNCTION

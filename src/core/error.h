@@ -13,7 +13,8 @@ enum class ErrorKind {
 /// The one exception of the project. `what()` is "WHERE: WHAT; TRY" on one line.
 class Error : public std::runtime_error {
  public:
-  /// `what`: what is wrong. `where`: file and line, cell number, option; may be empty. `tryThis`: what to do; may be empty.
+  /// `what`: what is wrong. `where`: file and line, cell number, option; may be empty. `tryThis`: what to do; may be
+  /// empty.
   Error(ErrorKind kind, const std::string& what, const std::string& where = "", const std::string& tryThis = "");
   ErrorKind kind() const { return kind_; }
   int exitStatus() const { return kind_ == ErrorKind::input ? 2 : 1; }

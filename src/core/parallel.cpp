@@ -2,9 +2,7 @@
 
 namespace havs {
 
-std::size_t threadCount() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-}
+std::size_t threadCount() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); }
 
 ThreadLimit::ThreadLimit(std::size_t threads) {
   if (threads > 0)

@@ -20,7 +20,8 @@ class ThreadLimit {
   std::unique_ptr<tbb::global_control> control_;
 };
 
-/// Calls body(first, last) on disjoint blocks of at least `grain` indices that cover [begin, end), from several threads.
+/// Calls body(first, last) on disjoint blocks of at least `grain` indices that cover [begin, end), from several
+/// threads.
 template <class Body>
 void parallelBlocks(std::size_t begin, std::size_t end, std::size_t grain, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),

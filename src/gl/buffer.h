@@ -44,7 +44,8 @@ class Buffer {
     readBytes(std::as_writable_bytes(std::span<T>(data)), offset);
     return data;
   }
-  /// Hands all of it to `write` as values of type T, to be written in place of the old contents, without a copy in between.
+  /// Hands all of it to `write` as values of type T, to be written in place of the old contents, without a copy in
+  /// between.
   template <class T, class Write>
   void fill(const Write& write) {
     static_assert(std::is_trivially_copyable_v<T>);

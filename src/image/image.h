@@ -13,8 +13,12 @@ struct Image {
   int width = 0;
   int height = 0;
   std::vector<float> rgba;  ///< 4 * width * height
-  float* pixel(int x, int y) { return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
-  const float* pixel(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
+  float* pixel(int x, int y) {
+    return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+  }
+  const float* pixel(int x, int y) const {
+    return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+  }
 };
 
 using Color = std::array<double, 3>;
@@ -24,11 +28,13 @@ struct ImageFileOptions {
   int pngBits = 8;                                   ///< 8 or 16
 };
 
-/// Throws Error{input} when writeImage would refuse the name (unknown extension, directory, unwritable): call before long work.
+/// Throws Error{input} when writeImage would refuse the name (unknown extension, directory, unwritable): call before
+/// long work.
 void checkImagePath(const std::filesystem::path& file);
 
-/// By extension, whole or not at all: .png (over the background; straight alpha when there is none), .exr (premultiplied RGBA float, no background),
-/// .pfm (RGB float over the background, or over black when there is none). Throws Error.
+/// By extension, whole or not at all: .png (over the background; straight alpha when there is none), .exr
+/// (premultiplied RGBA float, no background), .pfm (RGB float over the background, or over black when there is none).
+/// Throws Error.
 void writeImage(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options = {});
 
 /// Reads what writeImage writes (premultiplied again). Throws Error{input}.

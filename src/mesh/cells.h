@@ -34,8 +34,8 @@ TetMesh cutIntoTetrahedra(CellSoup cells, const std::string& where);
 
 /// A curvilinear grid of nx * ny * nz points (x fastest) cut in five a cell with alternating parity of i + j + k, so
 /// that neighbours conform. Cells with a point where `blank` is 0 are left out (empty `blank`: none). Fields:
-/// pointFields as given; cellFields one tuple a grid cell. Throws Error{input}, `where` first, for arrays that do not fit
-/// the size and grids without a cell.
+/// pointFields as given; cellFields one tuple a grid cell. Throws Error{input}, `where` first, for arrays that do not
+/// fit the size and grids without a cell.
 TetMesh cutStructuredGrid(std::array<std::size_t, 3> size, std::vector<Vec3> points, std::vector<int> blank,
                           std::vector<Field> pointFields, std::vector<Field> cellFields, const std::string& where);
 

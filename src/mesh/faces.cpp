@@ -1,5 +1,5 @@
-// Unique faces in linear time: the four faces of every cell are binned by their lowest vertex (a counting sort), each small
-// bin is sorted by the two other vertices, and equal neighbours in a bin are one face. A record is four bytes
+// Unique faces in linear time: the four faces of every cell are binned by their lowest vertex (a counting sort), each
+// small bin is sorted by the two other vertices, and equal neighbours in a bin are one face. A record is four bytes
 // (4 * cell + the opposite vertex's place), so the bins cost 16 bytes a cell while they live.
 #include "mesh/faces.h"
 
@@ -81,8 +81,9 @@ Bins binByLowestVertex(const TetMesh& mesh) {
 
 constexpr Index kSecondCell = Index{1} << 31;  ///< mark of the cell face that is cells[1] of its face
 
-/// Numbers the faces of one bin from 0 and writes the numbers to ofCell, with kSecondCell where it applies. Returns how many there are.
-/// Cells on opposite sides of one triangle are paired in the order of their numbers; what stays alone is a boundary face.
+/// Numbers the faces of one bin from 0 and writes the numbers to ofCell, with kSecondCell where it applies. Returns how
+/// many there are. Cells on opposite sides of one triangle are paired in the order of their numbers; what stays alone
+/// is a boundary face.
 Index numberFacesOfBin(std::vector<CellFace>& bin, std::vector<std::array<Index, 4>>& ofCell) {
   std::sort(bin.begin(), bin.end(), [](const CellFace& x, const CellFace& y) {
     if (x.others != y.others) return x.others < y.others;
@@ -109,7 +110,8 @@ Index numberFacesOfBin(std::vector<CellFace>& bin, std::vector<std::array<Index,
   return count;
 }
 
-/// Numbers the faces within every bin; returns the number of the first face of each bin, and the number of all faces as last entry.
+/// Numbers the faces within every bin; returns the number of the first face of each bin, and the number of all faces as
+/// last entry.
 std::vector<Index> numberFaces(const TetMesh& mesh, const Bins& bins, std::vector<std::array<Index, 4>>& ofCell) {
   const std::size_t binCount = mesh.points.size();
   std::vector<Index> firstFace(binCount + 1, 0);

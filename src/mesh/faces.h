@@ -17,10 +17,11 @@ struct Faces {
   bool isBoundary(std::size_t face) const { return cells[face][1] == kNoIndex; }
 };
 
-/// Linear time, parallel. Cells must be right-handed (repairMesh). Cells on opposite sides of one triangle are paired in the order of the cell
-/// numbers, the lower being cells[0]; a cell's face that finds no partner (more than two cells share the triangle, or two that overlap on
-/// one side of it) is a boundary face of its own. So entries and exits balance along every ray, whatever the cells.
-/// The result does not depend on the number of threads. Throws Error{input} for 2^29 cells or more.
+/// Linear time, parallel. Cells must be right-handed (repairMesh). Cells on opposite sides of one triangle are paired
+/// in the order of the cell numbers, the lower being cells[0]; a cell's face that finds no partner (more than two cells
+/// share the triangle, or two that overlap on one side of it) is a boundary face of its own. So entries and exits
+/// balance along every ray, whatever the cells. The result does not depend on the number of threads. Throws
+/// Error{input} for 2^29 cells or more.
 Faces buildFaces(const TetMesh& mesh);
 
 }  // namespace havs

@@ -41,7 +41,9 @@ Box boundingBox(const TetMesh& mesh) {
           }
         return box;
       },
-      [](const Box& a, const Box& b) { return Box{min(a.low, b.low), max(a.high, b.high)}; });
+      [](const Box& a, const Box& b) {
+        return Box{min(a.low, b.low), max(a.high, b.high)};
+      });
 }
 
 }  // namespace

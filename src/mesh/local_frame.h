@@ -7,8 +7,8 @@ namespace havs {
 
 /// The frame that everything is drawn in: local = (world - center) / radius. All used points lie in the unit ball.
 struct LocalFrame {
-  Vec3 center{0};     ///< of the bounding box of the points that cells use
-  double radius = 1;  ///< greatest distance of such a point from the centre; 1 when that is 0
+  Vec3 center{0};       ///< of the bounding box of the points that cells use
+  double radius = 1;    ///< greatest distance of such a point from the centre; 1 when that is 0
   double diagonal = 2;  ///< of that bounding box, in world units
   Vec3 toLocal(const Vec3& world) const { return (world - center) / radius; }
 };

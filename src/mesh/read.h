@@ -30,7 +30,8 @@ std::span<const MeshFormat> meshFormats();
 
 /// Reads a mesh of any known format, chosen by the file's extension. Bit-identical points are welded, and it is noted.
 /// Throws Error{input}: no such file, a directory, an empty file, an unknown extension (names the known ones), a format
-/// that this build leaves out, broken content with file and line or cell, no tetrahedra, more than options.maxTetrahedra.
+/// that this build leaves out, broken content with file and line or cell, no tetrahedra, more than
+/// options.maxTetrahedra.
 TetMesh readMesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Writes .vtu (needs VTK) or .node with its .ele, by extension; whole or not at all. In TetGen's files the components

@@ -22,8 +22,8 @@ double magnitudeAt(const Field& field, std::size_t tuple);
 
 /// `name`: "F", "F:x|y|z|0|1|...|magnitude", optionally after "point:" or "cell:" (a name in both is the point field).
 /// A vector without a component gives its magnitude. Empty: first point scalar, else magnitude of the first point
-/// vector, else first cell scalar, else magnitude of the first cell vector. Throws Error{input}: no such field (names the
-/// nearest and lists all), no such component, no finite value.
+/// vector, else first cell scalar, else magnitude of the first cell vector. Throws Error{input}: no such field (names
+/// the nearest and lists all), no such component, no finite value.
 ScalarField selectField(const TetMesh& mesh, const std::string& name);
 
 /// A point field from an expression in x, y, z (muparser's syntax), in the mesh's coordinates: "sqrt(x^2+y^2)".

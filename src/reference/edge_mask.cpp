@@ -1,5 +1,5 @@
-// Every boundary edge is clipped at the eye plane, projected, and walked along its longer screen axis; the few pixels beside it in each
-// column (or row) are tested by their true distance.
+// Every boundary edge is clipped at the eye plane, projected, and walked along its longer screen axis; the few pixels
+// beside it in each column (or row) are tested by their true distance.
 #include "reference/edge_mask.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace havs {
 namespace {
 
-/// Edges nearer to the eye plane than this (in local units) are cut off: what is left out shows beyond any picture's border.
+/// Edges nearer to the eye plane than this (in local units) are cut off: what is left out shows beyond any picture's
+/// border.
 constexpr double kNear = 1e-6;
 
 double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -62,9 +63,9 @@ class EdgeMarker {
       const double t = extent != 0 ? std::clamp((position - a[along]) / extent, 0.0, 1.0) : 0.0;
       return a[across] + t * (b[across] - a[across]);
     };
-    const auto [first, last] = centresBetween(std::min(a[along], b[along]) - distance_,
-                                              std::max(a[along], b[along]) + distance_,
-                                              size[static_cast<std::size_t>(along)]);
+    const auto [first, last] =
+        centresBetween(std::min(a[along], b[along]) - distance_, std::max(a[along], b[along]) + distance_,
+                       size[static_cast<std::size_t>(along)]);
     for (int i = first; i <= last; ++i) {
       const double centre = i + 0.5;
       const double one = acrossAt(centre - distance_), other = acrossAt(centre + distance_);
@@ -79,7 +80,8 @@ class EdgeMarker {
 
   /// Several threads may mark one pixel.
   void markPixel(int x, int y) const {
-    const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
+    const auto pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
     std::atomic_ref(mask_[pixel]).store(1, std::memory_order_relaxed);
   }
 

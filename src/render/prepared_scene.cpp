@@ -13,8 +13,7 @@ namespace {
 
 void noteRepairs(PreparedScene& prepared) {
   for (const Defect& defect : prepared.defects)
-    if (defect.count > 0)
-      prepared.notes.push_back(describe(defect));
+    if (defect.count > 0) prepared.notes.push_back(describe(defect));
 }
 
 TransferFunction transferFunctionOf(const Scene& scene) {

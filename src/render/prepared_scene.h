@@ -20,20 +20,21 @@ struct PreparedScene {
   TetMesh mesh;                 ///< without fields; points in mesh units
   std::vector<Defect> defects;  ///< of the mesh as read
   std::vector<std::string> notes;
-  ScalarField field;            ///< without values; they are in `scalars`
+  ScalarField field;  ///< without values; they are in `scalars`
   LocalFrame frame;
-  std::vector<Vec3> points;     ///< local frame
-  double longestEdge = 0;       ///< local frame
+  std::vector<Vec3> points;  ///< local frame
+  double longestEdge = 0;    ///< local frame
   Faces faces;
   ExtinctionCurve curve;
   std::string transferFunction;
   OpacityMeaning meaning = OpacityMeaning::perUnit;
-  std::vector<float> scalars;   ///< normalised to the domain, [0, 1]; one a point or one a cell
+  std::vector<float> scalars;  ///< normalised to the domain, [0, 1]; one a point or one a cell
 
   SceneFacts facts() const { return {field.centering == Centering::cell, !curve.opaque.empty()}; }
 };
 
-/// Reads and prepares. Stages timed: read, prepare, faces. Throws Error{input} for anything wrong with the scene's files and names.
+/// Reads and prepares. Stages timed: read, prepare, faces. Throws Error{input} for anything wrong with the scene's
+/// files and names.
 PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progress& progress = {});
 
 /// Prepares a mesh that is in memory already (tests, studies).

@@ -15,8 +15,8 @@ namespace havs {
 struct RenderReport {
   Image image;
   std::size_t points = 0, cells = 0, faces = 0, boundaryFaces = 0;  ///< of the mesh drawn
-  std::vector<Defect> defects;     ///< of the mesh as read
-  std::vector<std::string> notes;  ///< what reading and repair did, one sentence each
+  std::vector<Defect> defects;                                      ///< of the mesh as read
+  std::vector<std::string> notes;                                   ///< what reading and repair did, one sentence each
   std::string field;
   std::string centering;  ///< "point" or "cell"
   std::array<double, 2> fieldRange{0, 0};
@@ -30,13 +30,13 @@ struct RenderReport {
   std::size_t bytesPerPixel = 0;  ///< of the render targets
   std::size_t targetBytes = 0;    ///< all targets together
   std::size_t tiles = 1;
-  std::size_t cycles = 0;   ///< cut by the topological order
-  StageTimes stages;        ///< read, faces, order, upload, table, draw, flush, readback, total
-  double cpuMilliseconds = 0;     ///< of the whole call, all threads
+  std::size_t cycles = 0;      ///< cut by the topological order
+  StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total
+  double cpuMilliseconds = 0;  ///< of the whole call, all threads
 };
 
-/// Reads, prepares and draws a scene, Scene::repeat times (medians of each stage; the picture is the last).
-/// Throws Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
+/// Reads, prepares and draws a scene, Scene::repeat times (medians of each stage; the picture is the last). Throws
+/// Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
 RenderReport renderScene(const Scene& scene, const Progress& progress = {});
 
 }  // namespace havs

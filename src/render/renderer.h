@@ -11,7 +11,8 @@
 
 namespace havs {
 
-/// Draws a prepared scene by a plan; one for each way of drawing. Keeps what pictures share (vertices, tables, programs, targets).
+/// Draws a prepared scene by a plan; one for each way of drawing. Keeps what pictures share (vertices, tables,
+/// programs, targets).
 class Renderer {
  public:
   virtual ~Renderer() = default;

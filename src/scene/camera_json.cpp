@@ -87,7 +87,8 @@ Camera fromAngles(const std::string& text, Projection projection) {
     std::istringstream number(std::getline(stream, part, ',') ? part : "");
     good = number >> *parts[i] && (number >> std::ws).eof();
   }
-  if (!good) failInput("cannot read '" + text + "'", "camera", "give azimuth,elevation[,zoom] in degrees, JSON, or a JSON file");
+  if (!good)
+    failInput("cannot read '" + text + "'", "camera", "give azimuth,elevation[,zoom] in degrees, JSON, or a JSON file");
   return camera;
 }
 

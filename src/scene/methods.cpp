@@ -20,8 +20,10 @@ const Row& find(std::span<const Row> rows, const std::string& name, const char* 
 
 std::span<const VisibilityMethod> visibilityMethods() {
   static const std::vector<VisibilityMethod> rows{
-      {"kbuffer", "k nearest fragments of a pixel in render targets (Callahan et al. 2005)",
-       {"GL_EXT_shader_framebuffer_fetch"}, 14},
+      {"kbuffer",
+       "k nearest fragments of a pixel in render targets (Callahan et al. 2005)",
+       {"GL_EXT_shader_framebuffer_fetch"},
+       14},
   };
   return rows;
 }

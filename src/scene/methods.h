@@ -20,8 +20,8 @@ const VisibilityMethod& visibilityMethod(const std::string& name);
 
 /// What a lookup reads besides the segment.
 enum class LookupTable {
-  curve,  ///< the transfer function itself, sampled along the scalar: colour and extinction
-  table3d ///< the pre-integrated table over (front scalar, back scalar, length)
+  curve,   ///< the transfer function itself, sampled along the scalar: colour and extinction
+  table3d  ///< the pre-integrated table over (front scalar, back scalar, length)
 };
 
 /// One row of the table of lookups (`--lookup`).

@@ -8,15 +8,17 @@
 namespace havs {
 namespace {
 
-constexpr int kBytesPerTarget = 16;                    // RGBA32F
+constexpr int kBytesPerTarget = 16;                      // RGBA32F
 constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a tile
-constexpr double kMostPixels = 1 << 30;                // 16 GiB of float picture
+constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
 constexpr int kLargestSide = 1 << 17;
 constexpr int kSmallestTable = 2, kLargestTable = 512;
 
 void checkRange(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most)) {
-    auto text = [](double x) { return x == std::floor(x) ? std::to_string(static_cast<long long>(x)) : std::to_string(x); };
+    auto text = [](double x) {
+      return x == std::floor(x) ? std::to_string(static_cast<long long>(x)) : std::to_string(x);
+    };
     failInput(name + " is " + text(value), "", "it must lie between " + text(least) + " and " + text(most));
   }
 }
@@ -56,13 +58,14 @@ void checkScene(const Scene& scene) {
   checkRange(scene.width, 1, kLargestSide, "the picture's width");
   checkRange(scene.height, 1, kLargestSide, "the picture's height");
   if (static_cast<double>(scene.width) * scene.height > kMostPixels)
-    failInput("a picture of " + std::to_string(scene.width) + " x " + std::to_string(scene.height) + " is too large", "",
-              "2^30 pixels are the most");
+    failInput("a picture of " + std::to_string(scene.width) + " x " + std::to_string(scene.height) + " is too large",
+              "", "2^30 pixels are the most");
   checkRange(scene.earlyTermination, 0, 1, "the opacity of early termination");
   checkRange(scene.repeat, 1, 1000000, "repeat");
   if (scene.unitLength && !(*scene.unitLength > 0 && std::isfinite(*scene.unitLength)))
     failInput("the unit length must be greater than 0", "", "give it in mesh units");
-  if (scene.domain && !((*scene.domain)[0] < (*scene.domain)[1] && std::isfinite((*scene.domain)[1] - (*scene.domain)[0])))
+  if (scene.domain &&
+      !((*scene.domain)[0] < (*scene.domain)[1] && std::isfinite((*scene.domain)[1] - (*scene.domain)[0])))
     failInput("the domain must be two finite numbers, the smaller first", "", "for example 0,1");
 }
 
@@ -91,7 +94,8 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
     result.tableSize = scene.tableSize;
     if (scene.tableSize > capabilities.maximum3dTextureSize)
       failRunning("a table of " + std::to_string(scene.tableSize) + "^3 is larger than this OpenGL's 3D textures (" +
-                  std::to_string(capabilities.maximum3dTextureSize) + ")", "", "choose a smaller one");
+                      std::to_string(capabilities.maximum3dTextureSize) + ")",
+                  "", "choose a smaller one");
   }
   result.earlyTermination = scene.earlyTermination;
   result.cellData = facts.cellData;

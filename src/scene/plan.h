@@ -28,8 +28,8 @@ struct ShaderDefine {
   std::string value;
 };
 
-/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; device and order of the faces, which are not
-/// its own, are chosen by their names in the scene (render_scene.cpp).
+/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; device and order
+/// of the faces, which are not its own, are chosen by their names in the scene (render_scene.cpp).
 struct RenderPlan {
   VisibilityMethod visibility;
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order
@@ -38,17 +38,17 @@ struct RenderPlan {
   int tableSize = 0;
   int k = 0;
   std::vector<ShaderDefine> defines;
-  int entryTargets = 0;      ///< RGBA32F, two k-buffer entries each, beside the colour target
-  int bytesPerPixel = 0;     ///< of all targets
-  int tileWidth = 0;         ///< the picture is drawn in tiles of at most this size
+  int entryTargets = 0;   ///< RGBA32F, two k-buffer entries each, beside the colour target
+  int bytesPerPixel = 0;  ///< of all targets
+  int tileWidth = 0;      ///< the picture is drawn in tiles of at most this size
   int tileHeight = 0;
   double earlyTermination = 0;
   bool cellData = false;
   bool needsCurveTexture = false;
 };
 
-/// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table size, picture size),
-/// Error{running} when the machine lacks what the method needs.
+/// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table
+/// size, picture size), Error{running} when the machine lacks what the method needs.
 RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
 
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.

@@ -8,15 +8,15 @@
 
 namespace havs {
 
-/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods() and lookups() (scene/methods.h), sortMethods()
-/// (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
+/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods() and lookups()
+/// (scene/methods.h), sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
   std::filesystem::path plot3dSolution;
   std::string tetgenSwitches = "pq";
-  std::string field;                        ///< empty: the default field
-  std::string transferFunction = "viridis"; ///< preset or file
-  std::optional<double> unitLength;         ///< mesh units; overrides the transfer function's
+  std::string field;                            ///< empty: the default field
+  std::string transferFunction = "viridis";     ///< preset or file
+  std::optional<double> unitLength;             ///< mesh units; overrides the transfer function's
   std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
   int width = 1024;
   int height = 1024;
@@ -35,7 +35,8 @@ struct Scene {
   int repeat = 1;
 };
 
-/// The paper's own choices (`--paper`): centroid, k 6, RGBA8 128^3 table, termination at 0.99, late fragments composited.
+/// The paper's own choices (`--paper`): centroid, k 6, RGBA8 128^3 table, termination at 0.99, late fragments
+/// composited.
 void applyPaperPreset(Scene& scene);
 
 }  // namespace havs

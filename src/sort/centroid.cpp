@@ -1,5 +1,6 @@
-// The paper's order (Callahan, Ikits, Comba, Silva 2005, section 3.1): faces by the distance of their centroids to the eye, as float keys that a
-// radix sort takes in linear time. Approximate: a face whose centroid is nearer may well lie behind; the k-buffer mends what it can.
+// The paper's order (Callahan, Ikits, Comba, Silva 2005, section 3.1): faces by the distance of their centroids to the
+// eye, as float keys that a radix sort takes in linear time. Approximate: a face whose centroid is nearer may well lie
+// behind; the k-buffer mends what it can.
 #include "core/parallel.h"
 #include "sort/distance_key.h"
 #include "sort/radix_sort.h"

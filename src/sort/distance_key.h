@@ -5,8 +5,8 @@
 
 namespace havs {
 
-/// A number of order 1 that grows with the distance of a point from the eye (orthographic: with its depth), and keeps its resolution
-/// however far the eye is: (|p - e|^2 - |e|^2) / (2 |e|), whose limit for |e| to infinity is the depth.
+/// A number of order 1 that grows with the distance of a point from the eye (orthographic: with its depth), and keeps
+/// its resolution however far the eye is: (|p - e|^2 - |e|^2) / (2 |e|), whose limit for |e| to infinity is the depth.
 class DistanceKey {
  public:
   explicit DistanceKey(const ViewPoint& view) {

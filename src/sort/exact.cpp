@@ -1,5 +1,5 @@
-// The oracle of the centroid order: a comparison sort by the distance from the eye to each face's centroid, all in double and as the
-// definition says, with none of the tricks of centroid.cpp.
+// The oracle of the centroid order: a comparison sort by the distance from the eye to each face's centroid, all in
+// double and as the definition says, with none of the tricks of centroid.cpp.
 #include <algorithm>
 #include <numeric>
 

@@ -14,7 +14,8 @@ const std::array<SortMethod, 4> kSortMethods{{
     {"topological", "depth-first order of the cells by which is in front of which; exact but for cycles and gaps",
      makeTopologicalSorter},
     {"centroid", "the paper's: radix sort by the distance of the faces' centroids", makeCentroidSorter},
-    {"exact", "comparison sort by the distance of the faces' centroids in double: the oracle of centroid", makeExactSorter},
+    {"exact", "comparison sort by the distance of the faces' centroids in double: the oracle of centroid",
+     makeExactSorter},
     {"none", "the faces as they are numbered; right only where all fragments of a pixel fit into the k-buffer",
      makeFileOrderSorter},
 }};

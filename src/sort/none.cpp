@@ -1,4 +1,5 @@
-// No order: the faces as buildFaces numbered them. Shows what the k-buffer does alone, and costs nothing where the order does not matter.
+// No order: the faces as buildFaces numbered them. Shows what the k-buffer does alone, and costs nothing where the
+// order does not matter.
 #include <numeric>
 
 #include "sort/sorters.h"

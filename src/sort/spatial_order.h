@@ -6,8 +6,9 @@
 
 namespace havs {
 
-/// The cells along a Morton curve through their centroids (Morton 1966), 10 bits an axis: neighbours in space are then mostly neighbours in
-/// memory, however a mesh generator numbered them. Points in the local frame (coordinates in [-1, 1]). Parallel, deterministic.
+/// The cells along a Morton curve through their centroids (Morton 1966), 10 bits an axis: neighbours in space are then
+/// mostly neighbours in memory, however a mesh generator numbered them. Points in the local frame (coordinates in [-1,
+/// 1]). Parallel, deterministic.
 std::vector<Index> spatialOrder(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
 
 }  // namespace havs

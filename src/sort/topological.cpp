@@ -1,10 +1,11 @@
-// The order by depth-first search (Williams 1992, "Visibility ordering meshed polyhedra", its MPVO order; here by post-order, near first).
-// The plane of a face between two cells tells which of them is in front: the one on the eye's side. Follow that relation from a cell to
-// the cells in front of it, and write each cell when all of these are written: no cell then comes before one that hides part of
-// it. Every ray leaves the mesh somewhere, so the search starts at cells with a boundary face that rays leave through, near ones
-// first: what a nearer part of a non-convex mesh consists of is written before the search reaches a part behind it.
-// Where cells hide each other in a cycle, the relation across the face that shows smallest is ignored, and counted: every ray
-// that does not pass that face still meets all cells in order.
+// The order by depth-first search (Williams 1992, "Visibility ordering meshed polyhedra", its MPVO order; here by
+// post-order, near first). The plane of a face between two cells tells which of them is in front: the one on the eye's
+// side. Follow that relation from a cell to the cells in front of it, and write each cell when all of these are
+// written: no cell then comes before one that hides part of it. Every ray leaves the mesh somewhere, so the search
+// starts at cells with a boundary face that rays leave through, near ones first: what a nearer part of a non-convex
+// mesh consists of is written before the search reaches a part behind it. Where cells hide each other in a cycle, the
+// relation across the face that shows smallest is ignored, and counted: every ray that does not pass that face still
+// meets all cells in order.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,10 +79,11 @@ class TopologicalSorter final : public FaceSorter {
   std::vector<std::array<Index, 4>> neighbors_;  ///< the cells behind them, kNoIndex at the boundary
   std::vector<std::uint8_t> outward_;            ///< one a cell: bit i where the normal of its face i points out of it
   std::vector<BoundaryFace> boundary_;
-  std::vector<Side> sides_;            ///< of the eye, one a face
-  std::vector<std::uint8_t> entered_;  ///< one a cell: bit i where rays enter through face i, bit 4 + i where that relation is cut
-  std::vector<State> states_;          ///< one a cell
-  std::vector<std::uint32_t> stack_;   ///< 8 * cell + the next of its faces to follow
+  std::vector<Side> sides_;  ///< of the eye, one a face
+  std::vector<std::uint8_t>
+      entered_;  ///< one a cell: bit i where rays enter through face i, bit 4 + i where that relation is cut
+  std::vector<State> states_;         ///< one a cell
+  std::vector<std::uint32_t> stack_;  ///< 8 * cell + the next of its faces to follow
   std::vector<KeyedIndex> leftFaces_;
   std::vector<Index> starts_;
   RadixSorter radixSorter_;
@@ -134,7 +136,8 @@ EyeHeight TopologicalSorter::eyeHeightOf(Index face) const {
 
 void TopologicalSorter::findSides() {
   sides_.resize(input_.faces->size());
-  parallelFor(0, sides_.size(), kGrain, [&](std::size_t f) { sides_[f] = eyeSide(eyeHeightOf(static_cast<Index>(f))); });
+  parallelFor(0, sides_.size(), kGrain,
+              [&](std::size_t f) { sides_[f] = eyeSide(eyeHeightOf(static_cast<Index>(f))); });
 }
 
 void TopologicalSorter::findEnteredFaces() {
@@ -149,9 +152,10 @@ void TopologicalSorter::findEnteredFaces() {
   });
 }
 
-/// The cells with a boundary face that rays leave through, near ones first. "Near" is measured midway between the face's centroid and its
-/// farthest vertex: on five real non-convex meshes from 24 views each that misorders no fragment (the centroid: 3, the nearest
-/// vertex: 15), and on coarse grids with an unwelded seam as few as the centroid does (the farthest vertex: eight times as many).
+/// The cells with a boundary face that rays leave through, near ones first. "Near" is measured midway between the
+/// face's centroid and its farthest vertex: on five real non-convex meshes from 24 views each that misorders no
+/// fragment (the centroid: 3, the nearest vertex: 15), and on coarse grids with an unwelded seam as few as the centroid
+/// does (the farthest vertex: eight times as many).
 void TopologicalSorter::findStarts() {
   const DistanceKey key(view_);
   leftFaces_.clear();
@@ -192,8 +196,9 @@ void TopologicalSorter::writeWithAllInFront(Index start, FaceOrder& order) {
   }
 }
 
-/// The cells of the stack from `repeated` to the top are each behind the next, and the last is behind `repeated`. Cuts the
-/// relation across the face with the smallest footprint; the cells beyond it leave the stack and will be reached again.
+/// The cells of the stack from `repeated` to the top are each behind the next, and the last is behind `repeated`. Cuts
+/// the relation across the face with the smallest footprint; the cells beyond it leave the stack and will be reached
+/// again.
 void TopologicalSorter::cutCycle(Index repeated) {
   auto followedFace = [&](std::size_t place) { return stack_[place] % 8 - 1; };
   std::size_t weakest = stack_.size() - 1;
@@ -213,8 +218,8 @@ void TopologicalSorter::cutCycle(Index repeated) {
   stack_.resize(weakest + 1);
 }
 
-/// First the faces that rays enter the cell through, then the others: those they leave it through, and those seen edge-on. A face to
-/// a cell that is written is written with it.
+/// First the faces that rays enter the cell through, then the others: those they leave it through, and those seen
+/// edge-on. A face to a cell that is written is written with it.
 void TopologicalSorter::writeFaces(Index cell, std::vector<Index>& faces) {
   for (const unsigned entered : {1u, 0u})
     for (unsigned i = 0; i < 4; ++i) {

@@ -41,8 +41,8 @@ struct CurveSetting {
 /// Error{input} (empty domain by request, unit length not positive).
 ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& setting);
 
-/// The curve with its opaque intervals bridged by a straight line between what lies on either side: what segments that end at an opaque
-/// surface see of it. Tables made from it are not smeared by the step up to the surface.
+/// The curve with its opaque intervals bridged by a straight line between what lies on either side: what segments that
+/// end at an opaque surface see of it. Tables made from it are not smeared by the step up to the surface.
 ExtinctionCurve withoutOpaque(const ExtinctionCurve& curve);
 
 }  // namespace havs

@@ -14,9 +14,9 @@ struct SegmentColor {
   double alpha = 0;
 };
 
-/// The exact integral (docs/02-method.md, Integration) over a segment on which the scalar goes linearly from sFront to sBack in
-/// `length` (local units), piece by piece between the curve's knots. Opaque surfaces are not regarded here: the caller
-/// cuts the segment at them (firstOpaque).
+/// The exact integral (docs/02-method.md, Integration) over a segment on which the scalar goes linearly from sFront to
+/// sBack in `length` (local units), piece by piece between the curve's knots. Opaque surfaces are not regarded here:
+/// the caller cuts the segment at them (firstOpaque).
 SegmentColor integrateSegment(const ExtinctionCurve& curve, double sFront, double sBack, double length);
 
 /// Fraction of the way from sFront to sBack at which the scalar first lies in an opaque interval; > 1 when it never
@@ -31,7 +31,8 @@ struct Table3d {
 };
 
 /// Builds every entry with integrateSegment's arithmetic in double, rounded to float once, in parallel. size: 2 to 512;
-/// maximumLength: local units, > 0. Throws Error{input} for others. The result does not depend on the number of threads.
+/// maximumLength: local units, > 0. Throws Error{input} for others. The result does not depend on the number of
+/// threads.
 Table3d buildTable3d(const ExtinctionCurve& curve, int size, double maximumLength, const Progress& progress = {});
 
 /// Entries as 8-bit RGBA, round(255 x), in the same order.

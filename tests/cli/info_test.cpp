@@ -72,8 +72,10 @@ TEST_F(Info, ExtremeUnitsKeepRangesAndShapes) {
   for (const char* unit : {"1e-150", "1e150"}) {
     SCOPED_TRACE(unit);
     const std::string u = unit;
-    writeTetgenMesh(folder, "one", "4 3 0 0\n0 " + u + " " + u + " " + u + "\n1 -" + u + " " + u + " -" + u + "\n2 " + u + " -" +
-                                       u + " -" + u + "\n3 -" + u + " -" + u + " " + u + "\n", "1 4 0\n0 0 1 2 3\n");
+    writeTetgenMesh(folder, "one",
+                    "4 3 0 0\n0 " + u + " " + u + " " + u + "\n1 -" + u + " " + u + " -" + u + "\n2 " + u + " -" + u +
+                        " -" + u + "\n3 -" + u + " -" + u + " " + u + "\n",
+                    "1 4 0\n0 0 1 2 3\n");
     const auto json = nlohmann::json::parse(info({"one.node", "--json"}));
     EXPECT_NEAR(json["quality"]["aspect_ratio"][1], 1, 1e-14);
     const double edge = std::sqrt(8.0) * std::stod(u);

@@ -1,6 +1,8 @@
 #pragma once
-// What the tests of pictures share: a scene in memory drawn on a device, and how far a picture is from what it should be.
+// What the tests of pictures share: a scene in memory drawn on a device, and how far a picture is from what it should
+// be.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include <fstream>
 #include <functional>
 #include <string>
-#include <unistd.h>
 
 #include "image/image.h"
 #include "reference/edge_mask.h"
@@ -38,8 +39,8 @@ class TransferFile {
 /// One colour and one extinction (per mesh unit) at every scalar of [0, 1].
 inline std::string constantTransfer(double kappa, const std::string& color = "[0.8, 0.4, 0.2]") {
   const std::string point = R"(, "color": )" + color + R"(, "opacity": )" + std::to_string(kappa) + "}";
-  return R"({"version": 1, "opacity": "extinction", "unit_length": 1, "domain": [0, 1], "points": [{"scalar": 0)" + point +
-         R"(, {"scalar": 1)" + point + "]}";
+  return R"({"version": 1, "opacity": "extinction", "unit_length": 1, "domain": [0, 1], "points": [{"scalar": 0)" +
+         point + R"(, {"scalar": 1)" + point + "]}";
 }
 
 inline TetMesh withPointField(TetMesh mesh, std::vector<double> values) {
@@ -60,8 +61,8 @@ inline Drawing draw(const Device& device, const Scene& scene, TetMesh mesh) {
   drawing.view = makeView(scene.camera, drawing.prepared.frame, scene.width, scene.height);
   const RenderPlan chosen = plan(scene, drawing.prepared.facts(), capabilitiesOf(device));
   const auto renderer = makeKBufferRenderer(drawing.prepared, chosen, stages);
-  const auto sorter = sortMethod(scene.sort).make(
-      {drawing.prepared.points, drawing.prepared.mesh.tetrahedra, &drawing.prepared.faces});
+  const auto sorter =
+      sortMethod(scene.sort).make({drawing.prepared.points, drawing.prepared.mesh.tetrahedra, &drawing.prepared.faces});
   FaceOrder order;
   sorter->sort(viewPointOf(drawing.view), order);
   drawing.image = renderer->draw(drawing.view, order, stages);
@@ -114,7 +115,8 @@ struct Difference {
   std::size_t compared = 0;
 };
 inline std::ostream& operator<<(std::ostream& out, const Difference& d) {
-  return out << "maximum " << d.maximum << " at " << d.x << "," << d.y << "; " << d.beyond << " of " << d.compared << " beyond";
+  return out << "maximum " << d.maximum << " at " << d.x << "," << d.y << "; " << d.beyond << " of " << d.compared
+             << " beyond";
 }
 
 /// Against expected opacity at every pixel that the mask leaves.
@@ -124,7 +126,8 @@ inline Difference againstOpacity(const Drawing& drawing, const std::function<dou
   Difference difference;
   for (int y = 0; y < drawing.image.height; ++y)
     for (int x = 0; x < drawing.image.width; ++x) {
-      if (mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(drawing.image.width) + static_cast<std::size_t>(x)])
+      if (mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(drawing.image.width) +
+               static_cast<std::size_t>(x)])
         continue;
       ++difference.compared;
       const double error = std::abs(drawing.image.pixel(x, y)[3] - expected(x, y));
@@ -139,13 +142,15 @@ inline Difference againstOpacity(const Drawing& drawing, const std::function<dou
 }
 
 /// Largest difference of any channel of two pictures.
-inline Difference between(const Image& a, const Image& b, double limit = 1e-5, const std::vector<unsigned char>& mask = {}) {
+inline Difference between(const Image& a, const Image& b, double limit = 1e-5,
+                          const std::vector<unsigned char>& mask = {}) {
   Difference difference;
   for (std::size_t i = 0; i < a.rgba.size() / 4; ++i) {
     if (!mask.empty() && mask[i]) continue;
     ++difference.compared;
     double error = 0;
-    for (std::size_t c = 0; c < 4; ++c) error = std::max<double>(error, std::abs(a.rgba[4 * i + c] - b.rgba[4 * i + c]));
+    for (std::size_t c = 0; c < 4; ++c)
+      error = std::max<double>(error, std::abs(a.rgba[4 * i + c] - b.rgba[4 * i + c]));
     if (!(error <= limit)) ++difference.beyond;
     if (!(error <= difference.maximum)) {
       difference.maximum = error;

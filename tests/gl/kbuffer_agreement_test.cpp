@@ -1,7 +1,7 @@
-// The same picture by different ways: devices, tiles, values of k, the CPU replay of the shaders' own arithmetic in double.
-#include <gtest/gtest.h>
-
+// The same picture by different ways: devices, tiles, values of k, the CPU replay of the shaders' own arithmetic in
+// double.
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "core/arithmetic.h"
 #include "gl/drawing.h"
@@ -50,7 +50,9 @@ TEST_P(KBufferAgreement, TilesMakeTheWholePicture) {
   const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
   RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device_));
   FaceOrder order;
-  sortMethod(scene.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})->sort(viewPointOf(view), order);
+  sortMethod(scene.sort)
+      .make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})
+      ->sort(viewPointOf(view), order);
   const Image whole = makeKBufferRenderer(prepared, chosen, stages)->draw(view, order, stages);
   chosen.tileWidth = 64;  // neither divides 160
   chosen.tileHeight = 50;
@@ -72,19 +74,20 @@ TEST_P(KBufferAgreement, ShaderAgainstItsOwnArithmeticInDouble) {
       const PreparedScene& prepared = drawing.prepared;
 
       FaceOrder order;
-      sortMethod(sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})->sort(viewPointOf(drawing.view), order);
+      sortMethod(sort)
+          .make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})
+          ->sort(viewPointOf(drawing.view), order);
       const std::vector<double> scalars(prepared.scalars.begin(), prepared.scalars.end());
       using A = Arithmetic<DoubleLane>;
       auto end = [&](double s) {
         const auto knot = prepared.curve.at(s);
         return A::Rgba(knot.color[0], knot.color[1], knot.color[2], knot.kappa);
       };
-      const ReplayResult replayed =
-          replay({prepared.points, &prepared.faces, order.faces, scalars, drawing.view}, scene.k,
-                 [&](double front, double back, double length) {
-                   const A::Rgba c = A::trapezoidSegment(end(front), end(back), length);
-                   return Rgba{c.r, c.g, c.b, c.a};
-                 });
+      const ReplayResult replayed = replay({prepared.points, &prepared.faces, order.faces, scalars, drawing.view},
+                                           scene.k, [&](double front, double back, double length) {
+                                             const A::Rgba c = A::trapezoidSegment(end(front), end(back), length);
+                                             return Rgba{c.r, c.g, c.b, c.a};
+                                           });
       Image expected = drawing.image;
       for (std::size_t i = 0; i < replayed.image.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c) expected.rgba[4 * i + c] = static_cast<float>(replayed.image[i][c]);
@@ -96,7 +99,8 @@ TEST_P(KBufferAgreement, ShaderAgainstItsOwnArithmeticInDouble) {
     }
 }
 
-// An annulus whose first and last cells meet in two sets of points at the same places: nothing tells that they are neighbours.
+// An annulus whose first and last cells meet in two sets of points at the same places: nothing tells that they are
+// neighbours.
 TEST_P(KBufferAgreement, SeamOfAnOGrid) {
   const TransferFile transfer(constantTransfer(1.0));
   for (const char* sort : {"topological", "centroid"}) {
@@ -109,12 +113,17 @@ TEST_P(KBufferAgreement, SeamOfAnOGrid) {
     const Drawing drawing = draw(*device_, scene, withPointField(std::move(mesh), std::move(values)));
     const PreparedScene& prepared = drawing.prepared;
     FaceOrder order;
-    sortMethod("exact").make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})->sort(viewPointOf(drawing.view), order);
+    sortMethod("exact")
+        .make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})
+        ->sort(viewPointOf(drawing.view), order);
     const ReplayResult exact = replay({prepared.points, &prepared.faces, order.faces, {}, drawing.view}, 14,
                                       constantExtinction(prepared.frame.radius));
     const Difference difference = againstOpacity(
         drawing,
-        [&](int x, int y) { return exact.image[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x)][3]; },
+        [&](int x, int y) {
+          return exact.image[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) +
+                             static_cast<std::size_t>(x)][3];
+        },
         1e-4);
     EXPECT_LE(difference.maximum, 1e-4) << sort << ": " << difference;
     EXPECT_EQ(exact.misordered, 0u) << "the replay itself must be right";

@@ -1,4 +1,5 @@
-// Pictures of the k-buffer against closed forms: constant extinction kappa gives opacity 1 - exp(-kappa L), L the ray's length in the mesh.
+// Pictures of the k-buffer against closed forms: constant extinction kappa gives opacity 1 - exp(-kappa L), L the ray's
+// length in the mesh.
 #include <gtest/gtest.h>
 
 #include "gl/drawing.h"
@@ -7,7 +8,7 @@
 namespace havs::test {
 namespace {
 
-constexpr double kKappa = 0.8;  // per mesh unit: times the diagonal of [-1, 1]^3, 2.8
+constexpr double kKappa = 0.8;   // per mesh unit: times the diagonal of [-1, 1]^3, 2.8
 constexpr double kFloat = 1e-5;  // float distances and 60 segments composited in float
 constexpr int kBoxEdge = 4;
 
@@ -33,11 +34,13 @@ double boxOpacity(const Drawing& drawing, int x, int y) {
 }
 
 Difference againstBox(const Drawing& drawing, double limit = kFloat) {
-  return againstOpacity(drawing, [&](int x, int y) { return boxOpacity(drawing, x, y); }, limit);
+  return againstOpacity(
+      drawing, [&](int x, int y) { return boxOpacity(drawing, x, y); }, limit);
 }
 
-/// What linear interpolation of 1 - exp(-kappa D) between the table's lengths may be off by: a segment by (kappa h)^2 / 8, a ray by that times
-/// the most segments it can have in the box: each of the planes of the grid and of the six cuts, three families each way.
+/// What linear interpolation of 1 - exp(-kappa D) between the table's lengths may be off by: a segment by (kappa h)^2 /
+/// 8, a ray by that times the most segments it can have in the box: each of the planes of the grid and of the six cuts,
+/// three families each way.
 double tableBound(const Drawing& drawing, const Scene& scene) {
   const double kappa = kKappa * drawing.prepared.frame.radius;
   const double step = drawing.prepared.longestEdge / (scene.tableSize - 1);
@@ -59,7 +62,8 @@ TEST_P(KBufferClosedForm, ConstantBoxFromSeveralSidesAtEveryK) {
         scene.k = k;
         const Drawing drawing = draw(*device_, scene, constantBox());
         const Difference difference = againstBox(drawing);
-        EXPECT_LE(difference.maximum, kFloat) << "k " << k << ", view " << azimuth << "," << elevation << ": " << difference;
+        EXPECT_LE(difference.maximum, kFloat)
+            << "k " << k << ", view " << azimuth << "," << elevation << ": " << difference;
         EXPECT_GT(difference.compared, 10000u);
       }
 }
@@ -113,13 +117,15 @@ TEST_P(KBufferClosedForm, ColourIsPremultiplied) {
   }
 }
 
-// Kappa = s per unit and s linear along one axis: the optical depth is L times the mean of s over the ray, with `post` (trapezoid) exact.
+// Kappa = s per unit and s linear along one axis: the optical depth is L times the mean of s over the ray, with `post`
+// (trapezoid) exact.
 TEST_P(KBufferClosedForm, LinearRamp) {
   const TransferFile transfer(R"({"version": 1, "opacity": "extinction", "unit_length": 1, "domain": [0, 1], "points": [
     {"scalar": 0, "color": [1, 1, 1], "opacity": 0}, {"scalar": 1, "color": [1, 1, 1], "opacity": 1}]})");
   TetMesh mesh = box(kBoxEdge, Cut::six, 0.2);
   auto values = linearField(mesh.points, {0.1, 0.35, 0.05});  // within [0, 1] on [-1, 1]^3
-  const Drawing drawing = draw(*device_, smallScene(transfer.path()), withPointField(std::move(mesh), std::move(values)));
+  const Drawing drawing =
+      draw(*device_, smallScene(transfer.path()), withPointField(std::move(mesh), std::move(values)));
   const Difference difference = againstOpacity(drawing, [&](int x, int y) {
     const Ray ray = rayOf(drawing, x, y);
     const auto [first, last] = throughBox(ray, Vec3(-1.0), Vec3(1.0));
@@ -145,13 +151,15 @@ TEST_P(KBufferClosedForm, CellDataIsConstantInEachCell) {
   const Drawing drawing = draw(*device_, smallScene(transfer.path()), std::move(mesh));
   const Difference difference = againstOpacity(drawing, [&](int x, int y) {
     const Ray ray = rayOf(drawing, x, y);
-    const double depth = 0.25 * lengthInBox(ray, {-1, -1, -1}, {0, 1, 1}) + 0.75 * lengthInBox(ray, {0, -1, -1}, {1, 1, 1});
+    const double depth =
+        0.25 * lengthInBox(ray, {-1, -1, -1}, {0, 1, 1}) + 0.75 * lengthInBox(ray, {0, -1, -1}, {1, 1, 1});
     return opacityOf(depth, 1.0);
   });
   EXPECT_LE(difference.maximum, kFloat) << difference;
 }
 
-// Boundaries that touch, gaps, shells inside shells, a seam: entries and exits a rounding apart must not lose or add a segment.
+// Boundaries that touch, gaps, shells inside shells, a seam: entries and exits a rounding apart must not lose or add a
+// segment.
 TEST_P(KBufferClosedForm, TouchingAndNestedBoundaries) {
   const TransferFile transfer(constantTransfer(kKappa));
   struct Case {
@@ -167,7 +175,8 @@ TEST_P(KBufferClosedForm, TouchingAndNestedBoundaries) {
   std::vector<Case> cases;
   cases.push_back({"touching", twoBoxes(4, 0.0), [&](const Ray& ray) { return boxes(ray, 0.0); }});
   cases.push_back({"thin gap", twoBoxes(4, thinGap), [&](const Ray& ray) { return boxes(ray, thinGap); }});
-  cases.push_back({"nested shells", nestedShells(10), [&](const Ray& ray) { return cube(ray, 1.0) - cube(ray, 0.6) + cube(ray, 0.3); }});
+  cases.push_back({"nested shells", nestedShells(10),
+                   [&](const Ray& ray) { return cube(ray, 1.0) - cube(ray, 0.6) + cube(ray, 0.3); }});
   for (const Case& c : cases)
     for (const char* sort : {"topological", "centroid"}) {
       Scene scene = smallScene(transfer.path());
@@ -175,8 +184,8 @@ TEST_P(KBufferClosedForm, TouchingAndNestedBoundaries) {
       TetMesh mesh = c.mesh;
       auto values = constantField(mesh.points, 0.5);
       const Drawing drawing = draw(*device_, scene, withPointField(std::move(mesh), std::move(values)));
-      const Difference difference =
-          againstOpacity(drawing, [&](int x, int y) { return opacityOf(c.length(rayOf(drawing, x, y))); }, 1e-4);
+      const Difference difference = againstOpacity(
+          drawing, [&](int x, int y) { return opacityOf(c.length(rayOf(drawing, x, y))); }, 1e-4);
       EXPECT_LE(difference.maximum, 1e-4) << c.name << ", " << sort << ": " << difference;
     }
 }

@@ -1,6 +1,6 @@
-// Coverage in exact arithmetic: vertices are rounded to 2^-26 pixel, and a centre on an edge counts as moved by an infinitesimal (e, e^2). All
-// faces then agree on which side of each edge a centre lies, also at faces seen edge-on, and every ray through a closed surface
-// meets as many front as back faces.
+// Coverage in exact arithmetic: vertices are rounded to 2^-26 pixel, and a centre on an edge counts as moved by an
+// infinitesimal (e, e^2). All faces then agree on which side of each edge a centre lies, also at faces seen edge-on,
+// and every ray through a closed surface meets as many front as back faces.
 #include "support/fragments.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ constexpr double kFarthestPixel = 1 << 24;  // keeps the products below within 2
 
 std::int64_t centre(int pixel) { return (2 * std::int64_t{pixel} + 1) * (std::int64_t{1} << 25); }
 
-/// Twice the signed area of (a, b, p), and whether p, moved by (e, e^2), lies on the positive side of the line from a to b. Degenerate
-/// edges (a == b) have none.
+/// Twice the signed area of (a, b, p), and whether p, moved by (e, e^2), lies on the positive side of the line from a
+/// to b. Degenerate edges (a == b) have none.
 struct Edge {
   double value;
   bool positive;
@@ -59,7 +59,9 @@ FragmentSource::FragmentSource(std::span<const Vec3> points, const Faces& faces,
 FragmentSource::PixelBox FragmentSource::boxOf(Index face) const {
   const auto& [i, j, k] = faces_.vertices[face];
   const SubPixel &a = pixels_[i], &b = pixels_[j], &c = pixels_[k];
-  auto pixelOf = [](std::int64_t position) { return static_cast<int>(std::floor(static_cast<double>(position) / kSubPixels)); };
+  auto pixelOf = [](std::int64_t position) {
+    return static_cast<int>(std::floor(static_cast<double>(position) / kSubPixels));
+  };
   return {std::max(0, pixelOf(std::min({a.x, b.x, c.x}))), std::max(0, pixelOf(std::min({a.y, b.y, c.y}))),
           std::min(view_.width - 1, pixelOf(std::max({a.x, b.x, c.x}))),
           std::min(view_.height - 1, pixelOf(std::max({a.y, b.y, c.y})))};

@@ -32,8 +32,12 @@ class FragmentSource {
 
   std::size_t tileCount() const { return static_cast<std::size_t>(tilesX_) * static_cast<std::size_t>(tilesY_); }
   /// Pixel column and row of the tile's first pixel.
-  int firstColumn(std::size_t tile) const { return static_cast<int>(tile % static_cast<std::size_t>(tilesX_)) * kTileSize; }
-  int firstRow(std::size_t tile) const { return static_cast<int>(tile / static_cast<std::size_t>(tilesX_)) * kTileSize; }
+  int firstColumn(std::size_t tile) const {
+    return static_cast<int>(tile % static_cast<std::size_t>(tilesX_)) * kTileSize;
+  }
+  int firstRow(std::size_t tile) const {
+    return static_cast<int>(tile / static_cast<std::size_t>(tilesX_)) * kTileSize;
+  }
   /// The fragments of each pixel of the tile, kTileSize pixels a row, in the order of the faces.
   void collect(std::size_t tile, std::vector<std::vector<ExactFragment>>& pixels) const;
 

@@ -1,6 +1,7 @@
 #pragma once
-// The k-buffer replayed on the CPU: for each pixel the fragments of the faces in the given order, with exact coverage, through the very
-// functions that the shaders run (core/arithmetic.h), in double. Counts misordered fragments and checks entries against exits.
+// The k-buffer replayed on the CPU: for each pixel the fragments of the faces in the given order, with exact coverage,
+// through the very functions that the shaders run (core/arithmetic.h), in double. Counts misordered fragments and
+// checks entries against exits.
 #include <array>
 #include <functional>
 #include <span>
@@ -20,15 +21,15 @@ using SegmentColor = std::function<Rgba(double scalarFront, double scalarBack, d
 struct ReplayInput {
   std::span<const Vec3> points;  ///< local
   const Faces* faces = nullptr;
-  std::span<const Index> order;    ///< faces as they come
+  std::span<const Index> order;     ///< faces as they come
   std::span<const double> scalars;  ///< one a point; empty: 0
   View view;
 };
 
 struct ReplayResult {
-  std::vector<Rgba> image;           ///< row 0 on top; empty when no colour was asked for
+  std::vector<Rgba> image;  ///< row 0 on top; empty when no colour was asked for
   std::size_t fragments = 0;
-  std::size_t misordered = 0;        ///< late fragments (docs/02-method.md, The k-buffer)
+  std::size_t misordered = 0;  ///< late fragments (docs/02-method.md, The k-buffer)
   std::size_t misorderedPixels = 0;
   std::size_t unbalancedPixels = 0;  ///< where entries and exits differ in number
   std::size_t negativePixels = 0;    ///< where the inside-count is negative over more than a tie

@@ -1,5 +1,6 @@
-// Prints the milliseconds of buildFaces and of every order (medians of 5 after one to warm up), wall and processor, on a ball of N^3 bricks, six
-// tetrahedra each, numbered brick by brick; with "shuffled" its cells and points are numbered at random, the worst case for caches:
+// Prints the milliseconds of buildFaces and of every order (medians of 5 after one to warm up), wall and processor, on
+// a ball of N^3 bricks, six tetrahedra each, numbered brick by brick; with "shuffled" its cells and points are numbered
+// at random, the worst case for caches:
 //   time_order N [shuffled]
 #include <fmt/format.h>
 

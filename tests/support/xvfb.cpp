@@ -24,8 +24,8 @@ constexpr int kStartMilliseconds = 20000;
   dup2(null, STDERR_FILENO);
   const std::string number = std::to_string(displayPipe);
   // -noreset: it stays when the last window goes, so that the next finds it ready.
-  execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp",
-         "-noreset", nullptr);
+  execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp", "-noreset",
+         nullptr);
   _exit(127);
 }
 

@@ -46,7 +46,8 @@ TEST(LocalFrame, AllPointsLieInTheUnitBallAtAnyMagnitude) {
 TEST(LocalFrame, DoesNotDependOnThePlace) {
   const TetMesh unit = test::box(3);
   TetMesh moved = unit;
-  for (Vec3& p : moved.points) p += Vec3(4096, -512, 64);  // exact: the points are multiples of 2/3 rounded at 1e-12 there
+  for (Vec3& p : moved.points)
+    p += Vec3(4096, -512, 64);  // exact: the points are multiples of 2/3 rounded at 1e-12 there
   const auto a = localPoints(unit, localFrame(unit)), b = localPoints(moved, localFrame(moved));
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT(length(a[i] - b[i]), 2e-12);
 }

@@ -40,8 +40,8 @@ std::vector<std::pair<std::string, TetMesh>> conformingMeshes() {
 TEST(BuildFaces, CountsOfABoxInClosedForm) {
   constexpr std::size_t n = 5;
   const Faces five = buildFaces(test::box(n, test::Cut::five));
-  EXPECT_EQ(five.boundaryCount, 12 * n * n);                                    // six sides of n^2 squares, two triangles each
-  EXPECT_EQ(five.size(), (4 * 5 * n * n * n + five.boundaryCount) / 2);         // 4 cells = 2 inner + boundary
+  EXPECT_EQ(five.boundaryCount, 12 * n * n);                             // six sides of n^2 squares, two triangles each
+  EXPECT_EQ(five.size(), (4 * 5 * n * n * n + five.boundaryCount) / 2);  // 4 cells = 2 inner + boundary
   const Faces six = buildFaces(test::box(n, test::Cut::six));
   EXPECT_EQ(six.boundaryCount, 12 * n * n);
   EXPECT_EQ(six.size(), (4 * 6 * n * n * n + six.boundaryCount) / 2);
@@ -96,7 +96,8 @@ TEST(BuildFaces, FacesOfACellAreOppositeToItsVertices) {
     }
 }
 
-// The boundary is closed (its area vectors add up to nothing) and encloses the volume of the cells (divergence theorem).
+// The boundary is closed (its area vectors add up to nothing) and encloses the volume of the cells (divergence
+// theorem).
 TEST(BuildFaces, BoundaryEnclosesTheCells) {
   for (const auto& [name, mesh] : conformingMeshes()) {
     SCOPED_TRACE(name);

@@ -22,7 +22,8 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 /// Every boundary edge against every pixel.
-std::vector<unsigned char> bruteForce(const std::vector<Vec3>& points, const Faces& faces, const View& view, double distance) {
+std::vector<unsigned char> bruteForce(const std::vector<Vec3>& points, const Faces& faces, const View& view,
+                                      double distance) {
   std::vector<unsigned char> mask(static_cast<std::size_t>(view.width * view.height), 0);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (!faces.isBoundary(f)) continue;
@@ -41,7 +42,8 @@ struct Case {
   Faces faces;
   LocalFrame frame;
   std::vector<Vec3> points;
-  explicit Case(const TetMesh& mesh) : faces(buildFaces(mesh)), frame(localFrame(mesh)), points(localPoints(mesh, frame)) {}
+  explicit Case(const TetMesh& mesh)
+      : faces(buildFaces(mesh)), frame(localFrame(mesh)), points(localPoints(mesh, frame)) {}
 };
 
 std::ptrdiff_t marked(const std::vector<unsigned char>& mask) { return std::count(mask.begin(), mask.end(), 1); }
@@ -62,8 +64,9 @@ TEST(EdgeMask, AgreesWithEveryEdgeAgainstEveryPixel) {
   }
 }
 
-// The square x = +-0.5 of a box of edge 1 in a picture 2 units high, 64 pixels: its sides run 16 pixels from the border, half a pixel from the
-// centres of two columns (rows). Only edges along the view's axes: the mesh is one cell whose shadow they are.
+// The square x = +-0.5 of a box of edge 1 in a picture 2 units high, 64 pixels: its sides run 16 pixels from the
+// border, half a pixel from the centres of two columns (rows). Only edges along the view's axes: the mesh is one cell
+// whose shadow they are.
 TEST(EdgeMask, OfAnEdgeSeenAlongAnAxisInClosedForm) {
   TetMesh mesh;
   mesh.points = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {-0.5, 0.5, 0}, {-0.5, -0.5, 1}};
@@ -77,8 +80,8 @@ TEST(EdgeMask, OfAnEdgeSeenAlongAnAxisInClosedForm) {
   view.up = {0, 1, 0};
   // Legs at column 16 and row 48; the hypotenuse from (16, 16) to (48, 48) passes through the centres of 32 pixels.
   EXPECT_EQ(marked(boundaryEdgeMask(mesh.points, faces, view, 0.25)), 32);
-  // 0.5 reaches the centres on both sides of the legs: columns 15 and 16, rows 16 to 47, and rows 47 and 48, columns 16 to 47; of these the
-  // hypotenuse has pixels (16, 16) and (47, 47), the legs share (16, 47).
+  // 0.5 reaches the centres on both sides of the legs: columns 15 and 16, rows 16 to 47, and rows 47 and 48, columns 16
+  // to 47; of these the hypotenuse has pixels (16, 16) and (47, 47), the legs share (16, 47).
   EXPECT_EQ(marked(boundaryEdgeMask(mesh.points, faces, view, 0.5)), 32 + 64 + 64 - 3);
 }
 
@@ -101,7 +104,8 @@ TEST(EdgeMask, ClipsEdgesAtTheEyePlane) {
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j)
       for (int s = 0; s <= 40000; ++s) {
-        const Vec3 p = mix(mesh.points[static_cast<std::size_t>(i)], mesh.points[static_cast<std::size_t>(j)], s / 40000.0);
+        const Vec3 p =
+            mix(mesh.points[static_cast<std::size_t>(i)], mesh.points[static_cast<std::size_t>(j)], s / 40000.0);
         if (dot(view.forward, p) <= 0) continue;
         const Vec3 at = view.project(p);
         if (std::abs(at.x) > 100 || std::abs(at.y) > 100) continue;
@@ -134,8 +138,8 @@ TEST(EdgeMask, IsTheSameForAnyNumberOfThreads) {
 TEST(EdgeMask, DefaultMarksFewPixels) {
   const Case scene(test::box(8));
   const View view = test::viewFrom(scene.frame, 30, 20, 512);
-  // A line through n pixels of a column or row comes within 1/128 of the centre of about n / 64 of them; 12 edges of the box and 3 * 8 * 8 lines of
-  // up to 200 pixels on each of its 6 sides, both seen and hidden.
+  // A line through n pixels of a column or row comes within 1/128 of the centre of about n / 64 of them; 12 edges of
+  // the box and 3 * 8 * 8 lines of up to 200 pixels on each of its 6 sides, both seen and hidden.
   const auto count = marked(boundaryEdgeMask(scene.points, scene.faces, view));
   EXPECT_GT(count, 0);
   EXPECT_LT(count, 512 * 512 / 50);

@@ -49,7 +49,8 @@ TEST(Camera, BoundingSphereFitsTheSmallerSide) {
       Camera camera = angles(30, 20);
       camera.projection = projection;
       const View view = makeView(camera, kFrame, width, height);
-      // The silhouette of the unit sphere touches the edge: the ray through the middle of the shorter side's border is tangent to it.
+      // The silhouette of the unit sphere touches the edge: the ray through the middle of the shorter side's border is
+      // tangent to it.
       const double half = std::min(view.halfWidth, view.halfHeight);
       const double nearest = view.orthographic ? half : length(view.eye) * std::sin(std::atan(half));
       EXPECT_NEAR(nearest, 1.0, kRounding);
@@ -65,8 +66,8 @@ TEST(Camera, ProjectInvertsTheRaysOfPixels) {
     const double px = 41.5, py = 150.5;
     const double u = (2 * px / 320 - 1) * view.halfWidth, v = (1 - 2 * py / 200) * view.halfHeight;
     const Vec3 across = u * view.right + v * view.up;
-    const Vec3 point = view.orthographic ? view.center + across + 0.3 * view.forward
-                                         : view.eye + 4.0 * (view.forward + across);
+    const Vec3 point =
+        view.orthographic ? view.center + across + 0.3 * view.forward : view.eye + 4.0 * (view.forward + across);
     const Vec3 projected = view.project(point);
     EXPECT_NEAR(projected.x, px, 1e-9);  // kRounding times the size of the picture
     EXPECT_NEAR(projected.y, py, 1e-9);

@@ -18,8 +18,8 @@ TEST(BluntFin, TopologicalOrderIsExactWhereTheCentroidOrderIsNot) {
   const test::OrderedScene scene(repairMesh(readMesh(file)));
   for (const double azimuth : {30.0, 120.0, 250.0}) {
     const View view = test::viewFrom(scene.frame, azimuth, 20, 128);
-    // Repair leaves out the 77 flat cells of the grid's collapsed edge: which of two cells there is in front is a guess, wrong for one
-    // fragment of the three views (of a million), and mended by a second entry.
+    // Repair leaves out the 77 flat cells of the grid's collapsed edge: which of two cells there is in front is a
+    // guess, wrong for one fragment of the three views (of a million), and mended by a second entry.
     EXPECT_LE(scene.replay("topological", view, 1).misordered, 1u);
     EXPECT_EQ(scene.replay("topological", view, 2).misordered, 0u);
     const auto centroid = scene.replay("centroid", view, 6);
@@ -28,7 +28,8 @@ TEST(BluntFin, TopologicalOrderIsExactWhereTheCentroidOrderIsNot) {
   }
 }
 
-// The default view at 512 x 512: exact in topological order whatever k; how far the paper's order is from it is printed.
+// The default view at 512 x 512: exact in topological order whatever k; how far the paper's order is from it is
+// printed.
 TEST(BluntFin, MisorderedFragmentsAtEveryK) {
   const std::filesystem::path file = std::filesystem::path(HAVS_SHARED_DATA) / "bluntfinxyz.bin";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";

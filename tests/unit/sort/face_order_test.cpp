@@ -1,4 +1,5 @@
-// What every order must keep: each face once, and the same for any number of threads; and the two orders by centroid against each other.
+// What every order must keep: each face once, and the same for any number of threads; and the two orders by centroid
+// against each other.
 #include "sort/face_order.h"
 
 #include <gtest/gtest.h>

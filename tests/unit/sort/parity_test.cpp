@@ -63,8 +63,10 @@ void expectClosedForm(TetMesh mesh, const std::vector<SignedBox>& boxes) {
         for (int x = 0; x < kSize; ++x) {
           double inside = 0;
           for (const SignedBox& box : boxes) inside += box.sign * lengthInBox(box, scene.frame, view, x, y);
-          // The replay rounds vertices to 2^-26 pixel, 1e-9 of the picture's height; at grazing faces the length moves more.
-          EXPECT_NEAR(result.image[static_cast<std::size_t>(y * kSize + x)][3], -std::expm1(-kExtinction * inside), 1e-7)
+          // The replay rounds vertices to 2^-26 pixel, 1e-9 of the picture's height; at grazing faces the length moves
+          // more.
+          EXPECT_NEAR(result.image[static_cast<std::size_t>(y * kSize + x)][3], -std::expm1(-kExtinction * inside),
+                      1e-7)
               << x << " " << y;
         }
     }
@@ -78,7 +80,8 @@ TEST(InsideCount, ClosedFormOfABox) {
 
 TEST(InsideCount, ClosedFormOfTouchingBoxesAndOfGapsThinnerThanAnEdge) {
   for (const double gap : {0.0, 1e-12, 1e-4, 0.1})
-    expectClosedForm(test::twoBoxes(2, gap), {{Vec3(-1), Vec3(0, 1, 1), 1}, {Vec3(gap, -1, -1), Vec3(1 + gap, 1, 1), 1}});
+    expectClosedForm(test::twoBoxes(2, gap),
+                     {{Vec3(-1), Vec3(0, 1, 1), 1}, {Vec3(gap, -1, -1), Vec3(1 + gap, 1, 1), 1}});
 }
 
 TEST(InsideCount, ClosedFormOfNestedShells) {
@@ -88,7 +91,8 @@ TEST(InsideCount, ClosedFormOfNestedShells) {
 
 TEST(InsideCount, ClosedFormOfABoxWithAHole) {
   const double third = 1.0 / 3.0;
-  expectClosedForm(test::boxWithHole(3), {{Vec3(-1), Vec3(1), 1}, {Vec3(-third, -third, -1), Vec3(third, third, 1), -1}});
+  expectClosedForm(test::boxWithHole(3),
+                   {{Vec3(-1), Vec3(1), 1}, {Vec3(-third, -third, -1), Vec3(third, third, 1), -1}});
 }
 
 // The seam is two layers of boundary faces at one place: the picture is that of the welded grid.

@@ -33,7 +33,8 @@ TEST(RadixSort, AgreesWithAStableComparisonSort) {
 
 TEST(RadixSort, KeysOrderAsTheFloatsDo) {
   constexpr float kLargest = std::numeric_limits<float>::max(), kInfinity = std::numeric_limits<float>::infinity();
-  const std::vector<float> ascending{-kInfinity, -kLargest, -1.5f, -1e-30f, -1e-45f, 0.0f, 1e-45f, 1e-30f, 1.5f, kLargest, kInfinity};
+  const std::vector<float> ascending{-kInfinity, -kLargest, -1.5f, -1e-30f,  -1e-45f,  0.0f,
+                                     1e-45f,     1e-30f,    1.5f,  kLargest, kInfinity};
   for (std::size_t i = 1; i < ascending.size(); ++i)
     EXPECT_LT(sortableKey(ascending[i - 1]), sortableKey(ascending[i])) << ascending[i];
 }

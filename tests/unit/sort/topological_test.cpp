@@ -14,7 +14,8 @@ struct Angles {
   double azimuth, elevation;
 };
 // Along axes and diagonals of the grid (faces seen edge-on, pixel centres on edges), and in between.
-constexpr Angles kAngles[] = {{0, 0}, {90, 0}, {45, 0}, {0, 90}, {45, 35.26438968}, {30, 20}, {211, -64}, {137, 11}, {286, 49}};
+constexpr Angles kAngles[] = {{0, 0},   {90, 0},    {45, 0},   {0, 90},  {45, 35.26438968},
+                              {30, 20}, {211, -64}, {137, 11}, {286, 49}};
 constexpr Projection kProjections[] = {Projection::perspective, Projection::orthographic};
 
 std::vector<std::pair<std::string, TetMesh>> convexMeshes() {
@@ -25,7 +26,8 @@ std::vector<std::pair<std::string, TetMesh>> convexMeshes() {
           {"ball", test::ball(6)}};
 }
 
-// The order of a convex mesh without cycles is right for every ray: no fragment comes late even where the buffer holds one.
+// The order of a convex mesh without cycles is right for every ray: no fragment comes late even where the buffer holds
+// one.
 TEST(TopologicalOrder, IsExactForConvexMeshes) {
   const auto color = test::scalarExtinction(1.5);
   for (auto& [name, mesh] : convexMeshes()) {
@@ -40,7 +42,8 @@ TEST(TopologicalOrder, IsExactForConvexMeshes) {
         const auto results = test::replay({scene.points, &scene.faces, order.faces, scene.scalars, view}, ks, color);
         EXPECT_GT(results[0].fragments, 0u);
         EXPECT_EQ(results[0].misordered, 0u);
-        // The order of fragments closer than the tolerance (1e-6, at edges) is free; their segments show next to nothing.
+        // The order of fragments closer than the tolerance (1e-6, at edges) is free; their segments show next to
+        // nothing.
         EXPECT_LT(test::greatestDifference(results[0].image, results[1].image), 1e-5);
       }
   }
@@ -53,8 +56,8 @@ TEST(TopologicalOrder, BeatsTheCentroidOrderOnStretchedCells) {
   EXPECT_GT(scene.replay("centroid", view, 1).misordered, 1000u);
 }
 
-// Which of two parts of a non-convex mesh is in front is a guess (by where rays leave them). It may fail at a few rays; the
-// k-buffer of the default size mends all of them, and one of 2 entries all but one fragment in a thousand.
+// Which of two parts of a non-convex mesh is in front is a guess (by where rays leave them). It may fail at a few rays;
+// the k-buffer of the default size mends all of them, and one of 2 entries all but one fragment in a thousand.
 TEST(TopologicalOrder, LeavesLittleToTheBufferOnNonConvexMeshes) {
   for (TetMesh mesh : {test::boxWithHole(6), test::nestedShells(2), test::twoBoxes(3, 1e-4), test::oGrid(3, 16, 3),
                        test::oGrid(2, 7, 2)}) {
@@ -78,7 +81,8 @@ TEST(TopologicalOrder, CutsAndCountsCycles) {
   const FaceOrder order = scene.order("topological", view);
   EXPECT_GE(order.cycles, 1u);
   EXPECT_EQ(order.faces.size(), scene.faces.size());
-  // Some rays meet the cells where the cycle was cut in the wrong order. None meets more faces than the longer buffer holds.
+  // Some rays meet the cells where the cycle was cut in the wrong order. None meets more faces than the longer buffer
+  // holds.
   EXPECT_GT(scene.replay("topological", view, 1).misordered, 0u);
   EXPECT_EQ(scene.replay("topological", view, 14).misordered, 0u);
 }

@@ -84,7 +84,14 @@ TEST(ExtinctionCurve, OpaqueIntervalsAreClosedAndJoined) {
 }
 
 TEST(ExtinctionCurve, OpaqueIntervalsAreBridgedByWhatLiesBesideThem) {
-  const TransferFunction f{.points = {{0, {}, 0}, {0.3, {}, 0.2}, {0.3, {}, 1}, {0.5, {}, 1}, {0.5, {}, 0.4}, {0.8, {}, 0}, {0.8, {}, 1}, {1, {}, 1}}};
+  const TransferFunction f{.points = {{0, {}, 0},
+                                      {0.3, {}, 0.2},
+                                      {0.3, {}, 1},
+                                      {0.5, {}, 1},
+                                      {0.5, {}, 0.4},
+                                      {0.8, {}, 0},
+                                      {0.8, {}, 1},
+                                      {1, {}, 1}}};
   const ExtinctionCurve curve = makeCurve(f, {});
   const ExtinctionCurve seen = withoutOpaque(curve);
   EXPECT_TRUE(seen.opaque.empty());
