@@ -1,4 +1,5 @@
-// The transfer function along the scalar: colour and extinction (per local unit), evenly sampled, linear between samples.
+// The transfer function along the scalar: colour and extinction (per local unit), evenly sampled, linear between
+// samples.
 #ifndef HAVS_CURVE
 #define HAVS_CURVE
 uniform sampler2D curve;

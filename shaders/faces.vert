@@ -1,5 +1,5 @@
-// The corners of the mesh's faces, in the local frame. Points of boundary faces come a second time, after all points: the number of
-// the vertex tells whether its face has a cell on one side only.
+// The corners of the mesh's faces, in the local frame. Points of boundary faces come a second time, after all points:
+// the number of the vertex tells whether its face has a cell on one side only.
 layout(location = 0) in vec4 pointAndScalar;
 
 uniform mat4 toClip;

@@ -1,6 +1,6 @@
-// Hardware-assisted visibility sorting (Callahan, Ikits, Comba, Silva 2005): faces arrive roughly near first; each fragment goes into the
-// pixel's k-buffer, the nearest of k + 1 goes out, and the segment between it and the next nearest is looked up and composited.
-// Reads and writes of a pixel are ordered by framebuffer fetch.
+// Hardware-assisted visibility sorting (Callahan, Ikits, Comba, Silva 2005): faces arrive roughly near first; each
+// fragment goes into the pixel's k-buffer, the nearest of k + 1 goes out, and the segment between it and the next
+// nearest is looked up and composited. Reads and writes of a pixel are ordered by framebuffer fetch.
 #include "core/language.glsl"
 #include "payload.glsl"
 #include "core/kbuffer.glsl"

@@ -1,4 +1,5 @@
-// After the last face: the entries left in the pixel's k-buffer leave in order; the colour is written plain, without flags.
+// After the last face: the entries left in the pixel's k-buffer leave in order; the colour is written plain, without
+// flags.
 #include "core/language.glsl"
 #include "payload.glsl"
 #include "core/kbuffer.glsl"

@@ -1,6 +1,6 @@
-// How a pixel's k-buffer lies in its render targets, all RGBA32F: target 0 the colour so far, target 1 + i the entries 2i and 2i + 1,
-// (payload, distance) each. The pixel's inside-count and started flag are kept in the two highest bits of the four colour
-// channels, which are free as colours lie in [0, 1].
+// How a pixel's k-buffer lies in its render targets, all RGBA32F: target 0 the colour so far, target 1 + i the entries
+// 2i and 2i + 1, (payload, distance) each. The pixel's inside-count and started flag are kept in the two highest bits
+// of the four colour channels, which are free as colours lie in [0, 1].
 layout(location = 0) inout vec4 colorTarget;
 layout(location = 1) inout vec4 entryTargets[HAVS_ENTRY_TARGETS];
 

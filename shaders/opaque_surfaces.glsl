@@ -1,4 +1,5 @@
-// Opacity 1 (per unit length) is an opaque surface at the first scalar that reaches it: the segment ends there, whatever the lookup.
+// Opacity 1 (per unit length) is an opaque surface at the first scalar that reaches it: the segment ends there,
+// whatever the lookup.
 #include "core/opaque.glsl"
 #include "curve.glsl"
 

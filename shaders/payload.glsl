@@ -1,5 +1,5 @@
-// A fragment's scalar and kind in one float. The scalar lies in [0, 1], so the two highest bits of its float are free for the kind: no precision is
-// spent, and the k-buffer moves one number less.
+// A fragment's scalar and kind in one float. The scalar lies in [0, 1], so the two highest bits of its float are free
+// for the kind: no precision is spent, and the k-buffer moves one number less.
 #define Payload float
 
 const uint kFlagMask = 0xC0000000u;

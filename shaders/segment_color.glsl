@@ -1,4 +1,5 @@
-// The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at the first opaque surface.
+// The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at the first opaque
+// surface.
 #include "lookup.glsl"  // the lookup of the plan: a file of lookup/
 #ifdef HAVS_OPAQUE_SURFACES
 #include "opaque_surfaces.glsl"

@@ -1,11 +1,12 @@
-// The k-buffer (Callahan, Ikits, Comba, Silva 2005): a pixel keeps the HAVS_K nearest fragments that have come and not yet left.
-// A new fragment goes in, the nearest of the HAVS_K + 1 goes out; with the next nearest it bounds a segment of the ray.
-// Entries stay sorted by distance, near first, so that one chain of HAVS_K compare-exchanges finds both. Beyond the paper: empty entries are nearer
-// than everything and leave first; each fragment carries its kind, and a running count of entries minus exits says whether a
-// segment lies inside the mesh.
+// The k-buffer (Callahan, Ikits, Comba, Silva 2005): a pixel keeps the HAVS_K nearest fragments that have come and not
+// yet left. A new fragment goes in, the nearest of the HAVS_K + 1 goes out; with the next nearest it bounds a segment
+// of the ray. Entries stay sorted by distance, near first, so that one chain of HAVS_K compare-exchanges finds both.
+// Beyond the paper: empty entries are nearer than everything and leave first; each fragment carries its kind, and a
+// running count of entries minus exits says whether a segment lies inside the mesh.
 
 // What a fragment carries besides its distance, packed as suits the machine. Each side supplies the type Payload and
-//   Payload makePayload(Real scalar, Real kind)   scalar in [0, 1]; kind +1: the ray enters the mesh; -1: it leaves; 0: a face between two cells
+//   Payload makePayload(Real scalar, Real kind)   scalar in [0, 1]; kind +1: the ray enters the mesh, -1: it leaves,
+//                                                 0: a face between two cells
 //   Real scalarOf(Payload)   Real kindOf(Payload)   Payload selectPayload(Mask condition, Payload yes, Payload no)
 
 struct Fragment {
@@ -17,7 +18,8 @@ struct KBuffer {
   Fragment entry[HAVS_K];
 };
 
-// What happened to a pixel besides the k-buffer. `inside`: entries minus exits of all fragments that left. `started`: 1 once a real fragment left.
+// What happened to a pixel besides the k-buffer. `inside`: entries minus exits of all fragments that left. `started`: 1
+// once a real fragment left.
 struct PixelState {
   Real inside;
   Real started;
@@ -53,8 +55,9 @@ FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
   return f;
 }
 
-// `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left, so that the segment it belongs to
-// has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not full.
+// `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left,
+// so that the segment it belongs to has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not
+// full.
 FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {
   return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - Real(kLateTolerance));
 }

@@ -1,6 +1,7 @@
-// The words of the shared arithmetic (shaders/core/*.glsl), as GLSL spells them. src/core/arithmetic.h spells them for C++.
-// Rules of the subset: no branch on varying data but select(); loops with uniform bounds; typed literals Real(0.5); masks joined by && || !;
-// no fma; own exp and expm1; constants (arrays too) are CONSTANT Scalar, one number for all lanes, made Real where they are used.
+// The words of the shared arithmetic (shaders/core/*.glsl), as GLSL spells them. src/core/arithmetic.h spells them for
+// C++. Rules of the subset: no branch on varying data but select(); loops with uniform bounds; typed literals
+// Real(0.5); masks joined by && || !; no fma; own exp and expm1; constants (arrays too) are CONSTANT Scalar, one number
+// for all lanes, made Real where they are used.
 #define Real float
 #define Scalar float
 #define Mask bool

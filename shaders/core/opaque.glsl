@@ -1,4 +1,5 @@
-// Where a segment first meets a closed interval [low, high] of the scalar, as a fraction of its way; 2 where it does not.
+// Where a segment first meets a closed interval [low, high] of the scalar, as a fraction of its way; 2 where it does
+// not.
 FUNCTION Real opaqueEntry(Real low, Real high, Real scalarFront, Real scalarBack) {
   Mask startsInside = (scalarFront >= low) && (scalarFront <= high);
   Mask rises = (scalarFront < low) && (scalarBack >= low);

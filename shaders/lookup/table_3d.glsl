@@ -1,4 +1,5 @@
-// The paper's lookup: the pre-integrated table over (front scalar, back scalar, length), with half-texel scale and bias.
+// The paper's lookup: the pre-integrated table over (front scalar, back scalar, length), with half-texel scale and
+// bias.
 uniform sampler3D preintegrated;
 uniform vec2 tableScaleBias;
 uniform float lengthScale;  // 1 / the length of the table's last entry

@@ -118,6 +118,7 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
   line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
   for (const std::string& note : report.notes) line("note", note);
   for (const auto& output : outputs) line("picture", output.string());
+  if (outputs.empty()) line("picture", "not written: -o FILE names where to");
   return text;
 }
 

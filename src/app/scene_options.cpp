@@ -121,13 +121,12 @@ std::array<double, 2> parseDomain(const std::string& text) {
   return domain;
 }
 
+/// The option wins over the camera's own projection.
 void setCamera(Scene& scene, const SceneOptions& options) {
-  const std::string name = known("--projection", options.projection, kProjections);
-  const Projection projection = name == "orthographic" ? Projection::orthographic : Projection::perspective;
-  if (options.camera)
-    scene.camera = parseCamera(*options.camera, projection);
-  else
-    scene.camera.projection = projection;
+  if (options.camera) scene.camera = parseCamera(*options.camera, Projection::perspective);
+  if (!options.projection) return;
+  const std::string name = known("--projection", *options.projection, kProjections);
+  scene.camera.projection = name == "orthographic" ? Projection::orthographic : Projection::perspective;
 }
 
 void setMethod(Scene& scene, const SceneOptions& options) {

@@ -12,7 +12,7 @@ struct SceneOptions {
   std::string mesh, plot3dSolution;
   std::optional<std::string> tetgenSwitches, field, transferFunction, domain, size, camera, background;
   std::optional<std::string> device, visibility, sort, lookup, tableFormat;
-  std::string projection = "perspective";
+  std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
   std::optional<int> k, tableSize, threads, repeat;
   bool compositeLate = false;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/nearest_name.h"
+#include "core/find_row.h"
 #include "gl/check.h"
 #include "gl/devices.h"
 
@@ -67,12 +67,7 @@ std::span<const DeviceRow> deviceRows() {
 
 std::unique_ptr<Device> makeDevice(const std::string& name, std::size_t threads) {
   if (threads > 0) setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
-  std::vector<std::string> names;
-  for (const DeviceRow& row : deviceRows()) {
-    if (row.name == name) return row.make();
-    names.push_back(row.name);
-  }
-  failInput("unknown device '" + name + "'", "--device", didYouMean(name, names));
+  return findRow(deviceRows(), name, "device", "--device").make();
 }
 
 }  // namespace havs

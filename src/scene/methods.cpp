@@ -1,22 +1,8 @@
 #include "scene/methods.h"
 
-#include "core/error.h"
-#include "core/nearest_name.h"
+#include "core/find_row.h"
 
 namespace havs {
-namespace {
-
-template <class Row>
-const Row& find(std::span<const Row> rows, const std::string& name, const char* what) {
-  std::vector<std::string> names;
-  for (const Row& row : rows) {
-    if (row.name == name) return row;
-    names.push_back(row.name);
-  }
-  failInput(std::string("unknown ") + what + " '" + name + "'", "", didYouMean(name, names));
-}
-
-}  // namespace
 
 std::span<const VisibilityMethod> visibilityMethods() {
   static const std::vector<VisibilityMethod> rows{
@@ -47,9 +33,9 @@ std::span<const TableFormat> tableFormats() {
 }
 
 const VisibilityMethod& visibilityMethod(const std::string& name) {
-  return find(visibilityMethods(), name, "visibility method");
+  return findRow(visibilityMethods(), name, "visibility method");
 }
-const Lookup& lookup(const std::string& name) { return find(lookups(), name, "lookup"); }
-const TableFormat& tableFormat(const std::string& name) { return find(tableFormats(), name, "table format"); }
+const Lookup& lookup(const std::string& name) { return findRow(lookups(), name, "lookup"); }
+const TableFormat& tableFormat(const std::string& name) { return findRow(tableFormats(), name, "table format"); }
 
 }  // namespace havs

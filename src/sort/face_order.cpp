@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "core/error.h"
-#include "core/nearest_name.h"
+#include "core/find_row.h"
 #include "sort/sorters.h"
 
 namespace havs {
@@ -24,13 +23,6 @@ const std::array<SortMethod, 4> kSortMethods{{
 
 std::span<const SortMethod> sortMethods() { return kSortMethods; }
 
-const SortMethod& sortMethod(const std::string& name) {
-  std::vector<std::string> names;
-  for (const SortMethod& method : kSortMethods) {
-    if (method.name == name) return method;
-    names.push_back(method.name);
-  }
-  failInput("unknown order of faces '" + name + "'", "sort", didYouMean(name, names));
-}
+const SortMethod& sortMethod(const std::string& name) { return findRow(sortMethods(), name, "order of faces", "sort"); }
 
 }  // namespace havs

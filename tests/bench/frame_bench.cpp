@@ -1,6 +1,7 @@
-// What a frame costs, stage by stage, on a mesh of about one million tetrahedra: the k-buffer against plain additive blending of the same faces, in
-// turn in one run; order and upload as a part of the frame; the table's build; peak memory of the whole process up to the first picture
-// (TetGen runs in a process of its own). Medians after a warm-up; prints JSON.
+// What a frame costs, stage by stage, on a mesh of about one million tetrahedra: the k-buffer against plain additive
+// blending of the same faces, in turn in one run; order and upload as a part of the frame; the table's build; peak
+// memory of the whole process up to the first picture (TetGen runs in a process of its own). Medians after a warm-up;
+// prints JSON.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -172,11 +173,12 @@ nlohmann::ordered_json measure(const Options& options) {
   json["table"] = asJson(table);
   const std::size_t pixels = static_cast<std::size_t>(options.size) * static_cast<std::size_t>(options.size);
   const std::size_t targets = pixels * static_cast<std::size_t>(chosen.bytesPerPixel), picture = pixels * 16;
-  json["memory"] = {{"peak_bytes", peak},
-                    {"target_bytes", targets},
-                    {"picture_bytes", picture},
-                    {"bytes_a_tetrahedron_beyond_targets_and_picture",
-                     static_cast<double>(peak - targets - picture) / static_cast<double>(prepared.mesh.tetrahedra.size())}};
+  json["memory"] = {
+      {"peak_bytes", peak},
+      {"target_bytes", targets},
+      {"picture_bytes", picture},
+      {"bytes_a_tetrahedron_beyond_targets_and_picture",
+       static_cast<double>(peak - targets - picture) / static_cast<double>(prepared.mesh.tetrahedra.size())}};
   json["ratios"] = {{"kbuffer_draw_to_additive", frames.median("draw") / blending.wall()},
                     {"order_and_upload_to_frame", orderAndUpload / frame},
                     {"table_to_frame", table.wall() / frame}};

@@ -1,5 +1,5 @@
-// The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read the colour back; tile by
-// tile where a picture is larger than its targets may be.
+// The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read
+// the colour back; tile by tile where a picture is larger than its targets may be.
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -64,7 +64,8 @@ class KBufferRenderer final : public Renderer {
     framebuffer_.reset();
     targets_.clear();
     for (int i = 0; i <= plan_.entryTargets; ++i)
-      targets_.push_back(Texture::image2D(i == 0 ? "colour" : "k-buffer " + std::to_string(i), GL_RGBA32F, width, height));
+      targets_.push_back(
+          Texture::image2D(i == 0 ? "colour" : "k-buffer " + std::to_string(i), GL_RGBA32F, width, height));
     framebuffer_.emplace("k-buffer", Framebuffer::Targets(targets_.begin(), targets_.end()));
   }
 

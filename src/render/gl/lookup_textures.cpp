@@ -14,9 +14,7 @@ constexpr GLuint kTableUnit = 0, kCurveUnit = 1, kOpaqueUnit = 2;
 constexpr int kCurveSamples = 4096;
 
 /// Scale and bias that put 0 on the middle of the first of `size` texels and 1 on the middle of the last.
-glm::vec2 halfTexel(int size) {
-  return {static_cast<float>((size - 1.0) / size), static_cast<float>(0.5 / size)};
-}
+glm::vec2 halfTexel(int size) { return {static_cast<float>((size - 1.0) / size), static_cast<float>(0.5 / size)}; }
 
 }  // namespace
 
@@ -32,7 +30,8 @@ void LookupTextures::makeTable(const ExtinctionCurve& seen, double longestEdge, 
   const Table3d table = buildTable3d(seen, plan.tableSize, longestEdge, progress);
   lengthScale_ = static_cast<float>(1.0 / table.maximumLength);
   const bool eightBits = plan.tableFormat.eightBits;
-  table_ = Texture::image3D("pre-integrated table", eightBits ? GL_RGBA8 : GL_RGBA32F, table.size, table.size, table.size);
+  table_ =
+      Texture::image3D("pre-integrated table", eightBits ? GL_RGBA8 : GL_RGBA32F, table.size, table.size, table.size);
   if (eightBits) {
     table_->upload(GL_RGBA, std::span<const std::uint8_t>(toRgba8(table)));
   } else {

@@ -9,8 +9,8 @@
 
 namespace havs {
 
-/// What the plan's lookup reads, in textures: the pre-integrated table, the sampled transfer function, the opaque intervals - each only where the
-/// plan needs it.
+/// What the plan's lookup reads, in textures: the pre-integrated table, the sampled transfer function, the opaque
+/// intervals - each only where the plan needs it.
 class LookupTextures {
  public:
   LookupTextures(const PreparedScene& prepared, const RenderPlan& plan, const Progress& progress);

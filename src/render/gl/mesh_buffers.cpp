@@ -15,8 +15,9 @@ struct Vertex {
   float x, y, z, scalar;
 };
 
-/// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a million are drawn in one
-/// go. Batches are therefore waited for, the last but so many first, which costs no time (docs/llvmpipe.md).
+/// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a
+/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no time
+/// (docs/llvmpipe.md).
 constexpr std::size_t kFacesPerBatch = 32768;
 constexpr std::size_t kBatchesUnderWay = 2;
 

@@ -10,15 +10,16 @@
 namespace havs {
 
 /// The mesh in the memory of OpenGL: its points once, its faces anew in each picture's order.
-/// Points of boundary faces are there a second time, behind all others, so that the vertex shader can tell such faces by their vertex numbers.
+/// Points of boundary faces are there a second time, behind all others, so that the vertex shader can tell such faces
+/// by their vertex numbers.
 class MeshBuffers {
  public:
   explicit MeshBuffers(const PreparedScene& prepared);
 
   /// Writes the indices of the faces in `order`, in parallel.
   void setOrder(const FaceOrder& order);
-  /// Draws all faces in that order, in batches. Before each, `prepare` is told the number of its first face in the order (the uniform firstFace of
-  /// programs for cell data).
+  /// Draws all faces in that order, in batches. Before each, `prepare` is told the number of its first face in the
+  /// order (the uniform firstFace of programs for cell data).
   void drawInBatches(const std::function<void(std::size_t firstFace)>& prepare) const;
 
   /// Number of the first vertex that is a copy for boundary faces.

@@ -17,7 +17,8 @@ std::vector<Tile> tilesOf(const View& view, const RenderPlan& plan);
 /// From the local frame to the clip coordinates of a tile; made in double. Depth only serves to clip at the near plane.
 Mat4 clipMatrix(const View& view, const Tile& tile);
 
-/// Scale (x, y) and offset (z, w) from the tile's window coordinates to the slope of the pixel's ray against the view direction; 0 for parallel rays.
+/// Scale (x, y) and offset (z, w) from the tile's window coordinates to the slope of the pixel's ray against the view
+/// direction; 0 for parallel rays.
 Vec4 pixelToRay(const View& view, const Tile& tile);
 
 }  // namespace havs
