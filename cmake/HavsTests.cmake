@@ -15,5 +15,7 @@ function(havs_test label name)
     list(APPEND properties ENVIRONMENT ${ARG_ENVIRONMENT})
   endif()
   include(GoogleTest)
-  gtest_discover_tests(${target} TEST_PREFIX ${label}.${name}. DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  # Without values: GoogleTest prints a struct as its bytes, with addresses, so names would change with each build.
+  gtest_discover_tests(${target} TEST_PREFIX ${label}.${name}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+                       PROPERTIES ${properties})
 endfunction()

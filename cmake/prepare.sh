@@ -25,7 +25,7 @@ install_packages() {
   [ "${#missing[@]}" -gt 0 ] || return 0
   echo "installing ${#missing[@]} packages: ${missing[*]}"
   as_root apt-get update -qq
-  as_root env DEBIAN_FRONTEND=noninteractive \
+  as_root env DEBIAN_FRONTEND=noninteractive DEBCONF_NOWARNINGS=yes \
     apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
