@@ -4,4 +4,11 @@ if(HAVS_SANITIZE)
   add_compile_options(-fsanitize=${HAVS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
                       -Wno-maybe-uninitialized)  # g++ 12 warns falsely in instrumented code
   add_link_options(-fsanitize=${HAVS_SANITIZE})
+  # Of every test. What is suppressed lies in libraries that are not ours; the files say why.
+  set(havs_suppressions ${PROJECT_SOURCE_DIR}/tests/support)
+  if(HAVS_SANITIZE MATCHES thread)
+    set(HAVS_SANITIZER_ENVIRONMENT "TSAN_OPTIONS=suppressions='${havs_suppressions}/tsan.supp':print_suppressions=0")
+  else()
+    set(HAVS_SANITIZER_ENVIRONMENT "LSAN_OPTIONS=suppressions='${havs_suppressions}/lsan.supp':print_suppressions=0")
+  endif()
 endif()

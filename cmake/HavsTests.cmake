@@ -1,7 +1,7 @@
 # havs_test(LABEL NAME SOURCES a.cpp ... LINK havs::mesh ...): one GoogleTest program, its cases found by ctest
 # under the name LABEL.Suite.Case and the label LABEL (unit, gl, image, cli, hard).
 function(havs_test label name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   set(target test_${label}_${name})
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main havs_options)
@@ -11,8 +11,8 @@ function(havs_test label name)
     HAVS_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data"
     HAVS_BUILD="${CMAKE_BINARY_DIR}")
   set(properties LABELS ${label})
-  if(ARG_ENVIRONMENT)
-    list(APPEND properties ENVIRONMENT ${ARG_ENVIRONMENT})
+  if(HAVS_SANITIZE)
+    list(APPEND properties ENVIRONMENT ${HAVS_SANITIZER_ENVIRONMENT})
   endif()
   include(GoogleTest)
   # Without values: GoogleTest prints a struct as its bytes, with addresses, so names would change with each build.

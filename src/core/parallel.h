@@ -2,9 +2,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <cstddef>
 #include <memory>
+
+#include "core/happens_before.h"
 
 namespace havs {
 
@@ -24,8 +27,11 @@ class ThreadLimit {
 /// threads.
 template <class Body>
 void parallelBlocks(std::size_t begin, std::size_t end, std::size_t grain, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
-                    [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
+  LoopOrder order;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain), [&](const tbb::blocked_range<std::size_t>& r) {
+    const LoopOrder::Block block(order);
+    body(r.begin(), r.end());
+  });
 }
 
 /// Calls body(i) for each i of [begin, end), from several threads, in blocks of at least `grain`.
@@ -34,6 +40,21 @@ void parallelFor(std::size_t begin, std::size_t end, std::size_t grain, const Bo
   parallelBlocks(begin, end, grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) body(i);
   });
+}
+
+/// join over the values that body(first, last) returns for disjoint blocks of [begin, end). How the range is cut
+/// depends on the threads, so join(a, b) must be exact: a minimum or a maximum, not a sum of floating-point numbers.
+template <class Value, class Body, class Join>
+Value parallelReduce(std::size_t begin, std::size_t end, std::size_t grain, const Value& identity, const Body& body,
+                     const Join& join) {
+  LoopOrder order;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(begin, end, grain), identity,
+      [&](const tbb::blocked_range<std::size_t>& r, const Value& value) {
+        const LoopOrder::Block block(order);
+        return join(value, body(r.begin(), r.end()));
+      },
+      join);
 }
 
 }  // namespace havs

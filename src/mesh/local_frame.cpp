@@ -1,7 +1,5 @@
 #include "mesh/local_frame.h"
 
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,20 +19,22 @@ struct Box {
 /// Largest value of measure(cell) over all cells, at least 0.
 template <class Measure>
 double greatest(const TetMesh& mesh, const Measure& measure) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, mesh.tetrahedra.size(), kGrain), 0.0,
-      [&](const tbb::blocked_range<std::size_t>& r, double most) {
-        for (std::size_t c = r.begin(); c < r.end(); ++c) most = std::max(most, measure(mesh.tetrahedra[c]));
+  return parallelReduce(
+      0, mesh.tetrahedra.size(), kGrain, 0.0,
+      [&](std::size_t first, std::size_t last) {
+        double most = 0;
+        for (std::size_t c = first; c < last; ++c) most = std::max(most, measure(mesh.tetrahedra[c]));
         return most;
       },
       [](double a, double b) { return std::max(a, b); });
 }
 
 Box boundingBox(const TetMesh& mesh) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, mesh.tetrahedra.size(), kGrain), Box{},
-      [&](const tbb::blocked_range<std::size_t>& r, Box box) {
-        for (std::size_t c = r.begin(); c < r.end(); ++c)
+  return parallelReduce(
+      0, mesh.tetrahedra.size(), kGrain, Box{},
+      [&](std::size_t first, std::size_t last) {
+        Box box;
+        for (std::size_t c = first; c < last; ++c)
           for (const Index v : mesh.tetrahedra[c]) {
             box.low = min(box.low, mesh.points[v]);
             box.high = max(box.high, mesh.points[v]);

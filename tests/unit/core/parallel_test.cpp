@@ -20,6 +20,19 @@ TEST(ParallelBlocks, EmptyRangeCallsNothing) {
   EXPECT_EQ(calls, 0);
 }
 
+TEST(ParallelReduce, JoinsEveryBlockOnce) {
+  const std::size_t sum = parallelReduce(
+      10, 10000, 16, std::size_t{0},
+      [](std::size_t first, std::size_t last) { return (first + last - 1) * (last - first) / 2; },
+      [](std::size_t a, std::size_t b) { return a + b; });
+  EXPECT_EQ(sum, std::size_t{9999} * 10000 / 2 - std::size_t{9} * 10 / 2);
+}
+
+TEST(ParallelReduce, EmptyRangeIsTheIdentity) {
+  const auto body = [](std::size_t, std::size_t) { return 1; };
+  EXPECT_EQ(parallelReduce(5, 5, 1, -7, body, [](int a, int b) { return a > b ? a : b; }), -7);
+}
+
 TEST(ThreadLimit, HoldsWhileItLives) {
   const std::size_t all = threadCount();
   {
