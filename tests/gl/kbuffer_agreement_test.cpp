@@ -151,7 +151,7 @@ TEST(KBufferDevices, BluntFinIsTheSameOnEach) {
   const Xvfb xServer;
   std::vector<Image> images;
   for (const DeviceRow& row : deviceRows()) {
-    const auto device = makeDevice(row.name);
+    const auto device = makeTestDevice(row.name);
     images.push_back(draw(*device, scene, mesh).image);
   }
   ASSERT_GE(images.size(), 2u);

@@ -35,14 +35,19 @@ void GlTest::SetUp() {
       GTEST_SKIP() << error.what();
     }
   }
-  device_ = makeDevice(GetParam());
-  keepDriversLoaded();
+  device_ = makeTestDevice(GetParam());
 }
 
 void FramebufferFetch::SetUp() {
   GlTest::SetUp();
   if (IsSkipped()) return;
   if (!device_->hasExtension(kFetch.extensions.front())) GTEST_SKIP() << "no framebuffer fetch here";
+}
+
+std::unique_ptr<Device> makeTestDevice(const std::string& name) {
+  auto device = makeDevice(name);
+  keepDriversLoaded();
+  return device;
 }
 
 std::vector<std::string> deviceNames() {

@@ -29,6 +29,9 @@ inline const ShaderOptions kFetch{{}, {"GL_EXT_shader_framebuffer_fetch"}};
 
 std::vector<std::string> deviceNames();
 
+/// makeDevice, whose driver stays loaded: the leak sanitizer could not name one that is gone.
+std::unique_ptr<Device> makeTestDevice(const std::string& name);
+
 /// A program from two texts.
 Program makeProgram(const std::string& vertex, const std::string& fragment, const ShaderOptions& options = {});
 
