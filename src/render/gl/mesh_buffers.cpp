@@ -16,7 +16,7 @@ struct Vertex {
 };
 
 /// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a
-/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no time
+/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no processor time
 /// (docs/llvmpipe.md).
 constexpr std::size_t kFacesPerBatch = 32768;
 constexpr std::size_t kBatchesUnderWay = 2;
