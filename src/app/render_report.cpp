@@ -4,7 +4,7 @@
 
 #include "app/mesh_report.h"
 #include "core/memory.h"
-#include "scene/methods.h"
+#include "render/lookups.h"
 
 namespace havs {
 namespace {

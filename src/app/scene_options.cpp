@@ -10,8 +10,9 @@
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "gl/device.h"
-#include "scene/methods.h"
-#include "scene/plan.h"
+#include "render/lookups.h"
+#include "render/plan.h"
+#include "render/visibility.h"
 #include "sort/face_order.h"
 #include "transfer/transfer_function.h"
 

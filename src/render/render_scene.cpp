@@ -3,9 +3,9 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/parallel.h"
-#include "render/prepared_scene.h"
-#include "render/renderer.h"
-#include "sort/face_order.h"
+#include "render/make_renderer.h"
+#include "render/plan.h"
+#include "scene/prepared_scene.h"
 
 namespace havs {
 namespace {
@@ -46,7 +46,6 @@ RenderReport renderScene(const Scene& scene, const Progress& progress) {
   {
     const ScopedStage total(report.stages, "total");
     checkScene(scene);
-    const SortMethod& sorting = sortMethod(scene.sort);
     const ThreadLimit limit(scene.threads);
     const PreparedScene prepared = prepareScene(scene, report.stages, progress);
     describePrepared(prepared, report);
@@ -61,20 +60,16 @@ RenderReport renderScene(const Scene& scene, const Progress& progress) {
     const RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device));
     describePlan(chosen, report);
 
-    const auto renderer = makeKBufferRenderer(prepared, chosen, report.stages, progress);
-    report.tiles = renderer->tileCount(view);
-    const auto sorter = sorting.make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces});
-    FaceOrder order;
+    const auto renderer = makeRenderer(prepared, chosen, report.stages, progress);
     for (int i = 0; i < scene.repeat; ++i) {
       if (progress && scene.repeat > 1) progress("drawing", static_cast<double>(i) / scene.repeat);
-      {
-        const ScopedStage timer(report.stages, "order");
-        sorter->sort(viewPointOf(view), order);
-      }
-      report.image = renderer->draw(view, order, report.stages);
+      Drawing drawing = renderer->draw(view, report.stages, scene.repeat > 1 ? Progress{} : progress);
+      report.image = std::move(drawing.image);
+      report.certificate = std::move(drawing.certificate);
+      report.cycles = drawing.cycles;
+      report.tiles = drawing.tiles;
     }
     if (progress && scene.repeat > 1) progress("drawing", 1.0);
-    report.cycles = order.cycles;
   }
   report.cpuMilliseconds = 1e3 * (cpuSeconds() - cpuBefore);
   return report;

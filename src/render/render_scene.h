@@ -6,6 +6,7 @@
 #include "core/stage_times.h"
 #include "image/image.h"
 #include "mesh/defects.h"
+#include "scene/renderer.h"
 #include "scene/scene.h"
 #include "transfer/extinction_curve.h"
 
@@ -30,6 +31,7 @@ struct RenderReport {
   std::size_t bytesPerPixel = 0;  ///< of the render targets
   std::size_t targetBytes = 0;    ///< all targets together
   std::size_t tiles = 1;
+  std::optional<Certificate> certificate;
   std::size_t cycles = 0;      ///< cut by the topological order
   StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total
   double cpuMilliseconds = 0;  ///< of the whole call, all threads

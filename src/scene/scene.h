@@ -8,8 +8,8 @@
 
 namespace havs {
 
-/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods() and lookups()
-/// (scene/methods.h), sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
+/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods()
+/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
   std::filesystem::path plot3dSolution;
@@ -29,10 +29,17 @@ struct Scene {
   int tableSize = 128;
   std::string tableFormat = "rgba32f";  ///< or rgba8
   double earlyTermination = 0;          ///< opacity at which a pixel is done; 0: never
+  bool certificate = false;             ///< count misordered fragments (design: the order certificate)
   bool compositeLate = false;           ///< late fragments are composited (the paper) instead of dropped
   std::optional<Color> background = Color{1, 1, 1};
   std::size_t threads = 0;  ///< 0: all cores
   int repeat = 1;
+};
+
+/// What is known of the data when a plan is made.
+struct SceneFacts {
+  bool cellData = false;        ///< the scalar belongs to the cells
+  bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
 };
 
 /// The paper's own choices (`--paper`): centroid, k 6, RGBA8 128^3 table, termination at 0.99, late fragments

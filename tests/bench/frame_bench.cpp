@@ -19,7 +19,7 @@
 #include "mesh/scalar_field.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/tile.h"
-#include "render/renderer.h"
+#include "render/make_renderer.h"
 #include "transfer/preintegration.h"
 
 namespace havs {
@@ -136,11 +136,11 @@ nlohmann::ordered_json measure(const Options& options) {
   for (int i = 0; i <= options.repeat; ++i)
     table.time([&] { buildTable3d(withoutOpaque(prepared.curve), scene.tableSize, prepared.longestEdge); });
 
-  const auto renderer = makeKBufferRenderer(prepared, chosen, stages);
+  const auto renderer = makeRenderer(prepared, chosen, stages);
   const auto sorter = sortMethod(scene.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces});
   FaceOrder order;
   sorter->sort(viewPointOf(view), order);
-  renderer->draw(view, order, stages);
+  renderer->draw(view, stages);
   const std::size_t peak = peakMemoryBytes();
   const AdditiveDrawing additive(prepared, view, order);
   additive.draw();
@@ -150,7 +150,7 @@ nlohmann::ordered_json measure(const Options& options) {
   for (int i = 0; i < options.repeat; ++i) {
     ordering.time([&] { sorter->sort(viewPointOf(view), order); });
     blending.time([&] { additive.draw(); });
-    drawing.time([&] { renderer->draw(view, order, frames); });
+    drawing.time([&] { renderer->draw(view, frames); });
   }
   const double orderAndUpload = ordering.wall() + frames.median("upload");
   const double frame = orderAndUpload + frames.median("draw") + frames.median("flush");

@@ -13,8 +13,8 @@
 
 #include "image/image.h"
 #include "reference/edge_mask.h"
-#include "render/prepared_scene.h"
-#include "render/renderer.h"
+#include "render/make_renderer.h"
+#include "scene/prepared_scene.h"
 #include "sort/face_order.h"
 #include "support/meshes.h"
 
@@ -52,20 +52,18 @@ struct Drawing {
   PreparedScene prepared;
   View view;
   Image image;
+  std::optional<Certificate> certificate;
 };
 
 /// Draws on `device`, which must be current.
 inline Drawing draw(const Device& device, const Scene& scene, TetMesh mesh) {
   StageTimes stages;
-  Drawing drawing{prepareScene(scene, std::move(mesh), stages), {}, {}};
+  Drawing drawing{prepareScene(scene, std::move(mesh), stages), {}, {}, {}};
   drawing.view = makeView(scene.camera, drawing.prepared.frame, scene.width, scene.height);
   const RenderPlan chosen = plan(scene, drawing.prepared.facts(), capabilitiesOf(device));
-  const auto renderer = makeKBufferRenderer(drawing.prepared, chosen, stages);
-  const auto sorter =
-      sortMethod(scene.sort).make({drawing.prepared.points, drawing.prepared.mesh.tetrahedra, &drawing.prepared.faces});
-  FaceOrder order;
-  sorter->sort(viewPointOf(drawing.view), order);
-  drawing.image = renderer->draw(drawing.view, order, stages);
+  havs::Drawing drawn = makeRenderer(drawing.prepared, chosen, stages)->draw(drawing.view, stages);
+  drawing.image = std::move(drawn.image);
+  drawing.certificate = std::move(drawn.certificate);
   return drawing;
 }
 

@@ -49,18 +49,14 @@ TEST_P(KBufferAgreement, TilesMakeTheWholePicture) {
   const PreparedScene prepared = prepareScene(scene, smoothBall(), stages);
   const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
   RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device_));
-  FaceOrder order;
-  sortMethod(scene.sort)
-      .make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})
-      ->sort(viewPointOf(view), order);
-  const Image whole = makeKBufferRenderer(prepared, chosen, stages)->draw(view, order, stages);
+  const Image whole = makeRenderer(prepared, chosen, stages)->draw(view, stages).image;
   chosen.tileWidth = 64;  // neither divides 160
   chosen.tileHeight = 50;
-  const auto tiled = makeKBufferRenderer(prepared, chosen, stages);
-  EXPECT_EQ(tiled->tileCount(view), 12u);
+  const havs::Drawing tiled = makeRenderer(prepared, chosen, stages)->draw(view, stages);
+  EXPECT_EQ(tiled.tiles, 12u);
   const auto mask = boundaryEdgeMask(prepared.points, prepared.faces, view);
   // The corners of the faces are rounded differently in each tile's coordinates.
-  EXPECT_LE(between(tiled->draw(view, order, stages), whole, 1e-4, mask).maximum, 1e-4);
+  EXPECT_LE(between(tiled.image, whole, 1e-4, mask).maximum, 1e-4);
 }
 
 TEST_P(KBufferAgreement, ShaderAgainstItsOwnArithmeticInDouble) {

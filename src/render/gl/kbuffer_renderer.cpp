@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/error.h"
 #include "gl/check.h"
 #include "gl/framebuffer.h"
-#include "gl/limits.h"
 #include "gl/program_cache.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
+#include "render/gl/renderers.h"
 #include "render/gl/tile.h"
-#include "render/renderer.h"
+#include "render/make_renderer.h"
+#include "sort/face_order.h"
 
 namespace havs {
 namespace {
@@ -32,6 +32,7 @@ class KBufferRenderer final : public Renderer {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
+        sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
         insert_(programs_.get("faces.vert", "kbuffer.frag", shaderOptions(plan))),
         flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", shaderOptions(plan))) {
     {
@@ -43,20 +44,27 @@ class KBufferRenderer final : public Renderer {
     glFinish();
   }
 
-  Image draw(const View& view, const FaceOrder& order, StageTimes& stages) override {
+  Drawing draw(const View& view, StageTimes& stages, const Progress&) override {
     makeTargets(std::min(plan_.tileWidth, view.width), std::min(plan_.tileHeight, view.height));
     {
+      const ScopedStage timer(stages, "order");
+      sorter_->sort(viewPointOf(view), order_);
+    }
+    {
       const ScopedStage timer(stages, "upload");
-      mesh_->setOrder(order);
+      mesh_->setOrder(order_);
       glFinish();
     }
-    Image image{view.width, view.height, {}};
-    image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
-    for (const Tile& tile : tilesOf(view, plan_)) drawTile(view, tile, image, stages);
-    return image;
+    Drawing drawing;
+    drawing.image = {view.width, view.height, {}};
+    drawing.image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(view.width) *
+                              static_cast<std::size_t>(view.height));
+    const std::vector<Tile> tiles = tilesOf(view, plan_);
+    for (const Tile& tile : tiles) drawTile(view, tile, drawing.image, stages);
+    drawing.cycles = order_.cycles;
+    drawing.tiles = tiles.size();
+    return drawing;
   }
-
-  std::size_t tileCount(const View& view) const override { return tilesOf(view, plan_).size(); }
 
  private:
   void makeTargets(int width, int height) {
@@ -119,6 +127,8 @@ class KBufferRenderer final : public Renderer {
   }
 
   RenderPlan plan_;
+  std::unique_ptr<FaceSorter> sorter_;
+  FaceOrder order_;
   ProgramCache programs_;
   const Program& insert_;
   const Program& flush_;
@@ -135,17 +145,5 @@ std::unique_ptr<Renderer> makeKBufferRenderer(const PreparedScene& prepared, con
                                               const Progress& progress) {
   return std::make_unique<KBufferRenderer>(prepared, plan, stages, progress);
 }
-
-Capabilities capabilitiesOf(const Device& device) {
-  const Limits limit = limits();
-  Capabilities capabilities;
-  capabilities.hasExtension = [&device](const std::string& name) { return device.hasExtension(name); };
-  capabilities.maximumDrawBuffers = limit.drawBuffers;
-  capabilities.maximumTextureSize = std::min({limit.textureSize, limit.viewportWidth, limit.viewportHeight});
-  capabilities.maximum3dTextureSize = limit.texture3dSize;
-  return capabilities;
-}
-
-ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, view.forward}; }
 
 }  // namespace havs

@@ -4,8 +4,8 @@
 #include "core/progress.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/prepared_scene.h"
-#include "scene/plan.h"
+#include "render/plan.h"
+#include "scene/prepared_scene.h"
 
 namespace havs {
 

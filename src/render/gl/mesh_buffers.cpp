@@ -41,7 +41,8 @@ std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepar
   std::vector<std::array<float, 2>> behind(prepared.faces.size());
   parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
     const auto [in, out] = prepared.faces.cells[f];
-    behind[f] = {prepared.scalars[in], out == kNoIndex ? 0.0f : prepared.scalars[out]};
+    behind[f] = {static_cast<float>(prepared.scalars[in]),
+                 out == kNoIndex ? 0.0f : static_cast<float>(prepared.scalars[out])};
   });
   return behind;
 }
@@ -71,7 +72,7 @@ void MeshBuffers::uploadVertices(const PreparedScene& prepared) {
     const std::size_t p = i < pointCount ? i : copied[i - pointCount];
     const Vec3& q = prepared.points[p];
     vertices[i] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
-                   pointData ? prepared.scalars[p] : 0.0f};
+                   pointData ? static_cast<float>(prepared.scalars[p]) : 0.0f};
   });
   vertices_ = Buffer::of("points", vertices);
 }

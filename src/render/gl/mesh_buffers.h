@@ -4,7 +4,7 @@
 
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
-#include "render/prepared_scene.h"
+#include "scene/prepared_scene.h"
 #include "sort/face_order.h"
 
 namespace havs {

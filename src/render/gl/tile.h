@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "scene/plan.h"
+#include "render/plan.h"
 #include "scene/view.h"
 
 namespace havs {

@@ -1,4 +1,4 @@
-#include "render/prepared_scene.h"
+#include "scene/prepared_scene.h"
 
 #include <fmt/format.h>
 
@@ -23,10 +23,9 @@ TransferFunction transferFunctionOf(const Scene& scene) {
   return function;
 }
 
-std::vector<float> normalisedScalars(const ScalarField& field, const ExtinctionCurve& curve) {
-  std::vector<float> scalars(field.values.size());
-  parallelFor(0, scalars.size(), 4096,
-              [&](std::size_t i) { scalars[i] = static_cast<float>(curve.normalise(field.values[i])); });
+std::vector<double> normalisedScalars(const ScalarField& field, const ExtinctionCurve& curve) {
+  std::vector<double> scalars(field.values.size());
+  parallelFor(0, scalars.size(), 4096, [&](std::size_t i) { scalars[i] = curve.normalise(field.values[i]); });
   return scalars;
 }
 

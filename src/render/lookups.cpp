@@ -1,18 +1,8 @@
-#include "scene/methods.h"
+#include "render/lookups.h"
 
 #include "core/find_row.h"
 
 namespace havs {
-
-std::span<const VisibilityMethod> visibilityMethods() {
-  static const std::vector<VisibilityMethod> rows{
-      {"kbuffer",
-       "k nearest fragments of a pixel in render targets (Callahan et al. 2005)",
-       {"GL_EXT_shader_framebuffer_fetch"},
-       14},
-  };
-  return rows;
-}
 
 std::span<const Lookup> lookups() {
   static const std::vector<Lookup> rows{
@@ -32,9 +22,6 @@ std::span<const TableFormat> tableFormats() {
   return rows;
 }
 
-const VisibilityMethod& visibilityMethod(const std::string& name) {
-  return findRow(visibilityMethods(), name, "visibility method");
-}
 const Lookup& lookup(const std::string& name) { return findRow(lookups(), name, "lookup"); }
 const TableFormat& tableFormat(const std::string& name) { return findRow(tableFormats(), name, "table format"); }
 

@@ -9,7 +9,6 @@
 #include "mesh/local_frame.h"
 #include "mesh/scalar_field.h"
 #include "mesh/tet_mesh.h"
-#include "scene/plan.h"
 #include "scene/scene.h"
 #include "transfer/extinction_curve.h"
 
@@ -28,7 +27,7 @@ struct PreparedScene {
   ExtinctionCurve curve;
   std::string transferFunction;
   OpacityMeaning meaning = OpacityMeaning::perUnit;
-  std::vector<float> scalars;  ///< normalised to the domain, [0, 1]; one a point or one a cell
+  std::vector<double> scalars;  ///< normalised to the domain, [0, 1]; one a point or one a cell
 
   SceneFacts facts() const { return {field.centering == Centering::cell, !curve.opaque.empty()}; }
 };

@@ -1,22 +1,11 @@
 #pragma once
-// The tables of methods (docs/06-add-a-method.md). The command line, --help and the plan go through these rows.
+// The tables of lookups and of the number formats of their tables (docs/06-add-a-method.md).
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace havs {
-
-/// One row of the table of visibility methods (`--visibility`).
-struct VisibilityMethod {
-  std::string name;
-  std::string description;
-  std::vector<std::string> extensions;  ///< any one of them is needed; empty: none
-  int maximumK = 0;
-};
-std::span<const VisibilityMethod> visibilityMethods();
-/// Throws Error{input}, naming the nearest.
-const VisibilityMethod& visibilityMethod(const std::string& name);
 
 /// What a lookup reads besides the segment.
 enum class LookupTable {

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/methods.h"
+#include "render/lookups.h"
+#include "render/visibility.h"
 #include "scene/scene.h"
 
 namespace havs {
@@ -16,23 +17,18 @@ struct Capabilities {
   int maximum3dTextureSize = 512;
 };
 
-/// What is known of the data when the plan is made.
-struct SceneFacts {
-  bool cellData = false;        ///< the scalar belongs to the cells
-  bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
-};
-
 /// A name and value that a shader is compiled with.
 struct ShaderDefine {
   std::string name;
   std::string value;
 };
 
-/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; device and order
-/// of the faces, which are not its own, are chosen by their names in the scene (render_scene.cpp).
+/// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; the device, which
+/// is not its own, is chosen by its name in the scene.
 struct RenderPlan {
   VisibilityMethod visibility;
-  std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order
+  std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
+  std::string sort;      ///< row of sortMethods(); empty: faces need no order
   Lookup lookup;
   TableFormat tableFormat;
   int tableSize = 0;
@@ -44,6 +40,8 @@ struct RenderPlan {
   int tileHeight = 0;
   double earlyTermination = 0;
   bool cellData = false;
+  bool opaqueSurfaces = false;
+  bool certificate = false;
   bool needsCurveTexture = false;
 };
 
@@ -53,5 +51,12 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
+
+/// Halves the longer side of the tile until `bytesPerPixel` of its targets fit into memory and the machine's limits:
+/// for a method's part of the plan.
+void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+
+/// Throws Error{input} unless least <= value <= most.
+void checkRange(double value, double least, double most, const std::string& name);
 
 }  // namespace havs

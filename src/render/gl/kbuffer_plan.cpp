@@ -1,0 +1,27 @@
+// What the k-buffer takes on OpenGL: targets, tiles, defines.
+#include "core/error.h"
+#include "render/gl/renderers.h"
+
+namespace havs {
+namespace {
+
+constexpr int kBytesPerTarget = 16;  // RGBA32F
+
+}  // namespace
+
+void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
+  plan.k = scene.k;
+  plan.entryTargets = (scene.k + 1) / 2;
+  if (1 + plan.entryTargets > capabilities.maximumDrawBuffers)
+    failRunning("k = " + std::to_string(scene.k) + " needs " + std::to_string(1 + plan.entryTargets) +
+                    " render targets, this OpenGL has " + std::to_string(capabilities.maximumDrawBuffers),
+                "", "choose a smaller k");
+  plan.bytesPerPixel = kBytesPerTarget * (1 + plan.entryTargets);
+  plan.defines.push_back({"HAVS_K", std::to_string(plan.k)});
+  plan.defines.push_back({"HAVS_ENTRY_TARGETS", std::to_string(plan.entryTargets)});
+  if (scene.earlyTermination > 0) plan.defines.push_back({"HAVS_EARLY_TERMINATION", "1"});
+  if (scene.compositeLate) plan.defines.push_back({"HAVS_COMPOSITE_LATE", "1"});
+  chooseTile(plan, scene, capabilities);
+}
+
+}  // namespace havs

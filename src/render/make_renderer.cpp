@@ -1,0 +1,27 @@
+#include "render/make_renderer.h"
+
+#include <algorithm>
+
+#include "gl/limits.h"
+#include "render/visibility.h"
+
+namespace havs {
+
+Capabilities capabilitiesOf(const Device& device) {
+  const Limits limit = limits();
+  Capabilities capabilities;
+  capabilities.hasExtension = [&device](const std::string& name) { return device.hasExtension(name); };
+  capabilities.maximumDrawBuffers = limit.drawBuffers;
+  capabilities.maximumTextureSize = std::min({limit.textureSize, limit.viewportWidth, limit.viewportHeight});
+  capabilities.maximum3dTextureSize = limit.texture3dSize;
+  return capabilities;
+}
+
+ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, view.forward}; }
+
+std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                       const Progress& progress) {
+  return plan.visibility.make(prepared, plan, stages, progress);
+}
+
+}  // namespace havs

@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+
+#include "gl/device.h"
+#include "render/plan.h"
+#include "scene/prepared_scene.h"
+#include "scene/renderer.h"
+#include "sort/face_order.h"
+
+namespace havs {
+
+/// What plans need to know of the current OpenGL.
+Capabilities capabilitiesOf(const Device& device);
+
+/// Where the faces are sorted from.
+ViewPoint viewPointOf(const View& view);
+
+/// The renderer of a plan. `prepared` and the current device must outlive it. Stages timed: table, upload_mesh.
+std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                       const Progress& progress = {});
+
+}  // namespace havs

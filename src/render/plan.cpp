@@ -1,0 +1,101 @@
+#include "render/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "sort/face_order.h"
+
+namespace havs {
+namespace {
+
+constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a tile
+constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
+constexpr int kLargestSide = 1 << 17;
+constexpr int kSmallestTable = 2, kLargestTable = 512;
+
+void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
+  result.lookup = lookup(scene.lookup);
+  result.needsCurveTexture = result.lookup.table == LookupTable::curve || facts.opaqueSurfaces;
+  if (facts.cellData) result.defines.push_back({"HAVS_CELL_DATA", "1"});
+  if (facts.opaqueSurfaces) result.defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
+  if (result.lookup.table != LookupTable::table3d) return;
+  result.tableFormat = tableFormat(scene.tableFormat);
+  result.tableSize = scene.tableSize;
+  if (result.tableFormat.eightBits) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
+  if (scene.tableSize > capabilities.maximum3dTextureSize)
+    failRunning("a table of " + std::to_string(scene.tableSize) + "^3 is larger than this OpenGL's 3D textures (" +
+                    std::to_string(capabilities.maximum3dTextureSize) + ")",
+                "", "choose a smaller one");
+}
+
+/// The extension among those that the method can use, where it needs one.
+std::string orderingOf(const VisibilityMethod& method, const Capabilities& capabilities) {
+  const auto& needed = method.extensions;
+  if (needed.empty()) return "";
+  const auto found = std::find_if(needed.begin(), needed.end(), capabilities.hasExtension);
+  if (found == needed.end())
+    failRunning("this OpenGL cannot keep a pixel's reads and writes in order (it lacks " + needed.front() + ")", "",
+                "try --device osmesa");
+  return *found;
+}
+
+}  // namespace
+
+void checkRange(double value, double least, double most, const std::string& name) {
+  if (!(value >= least && value <= most)) {
+    auto text = [](double x) {
+      return x == std::floor(x) ? std::to_string(static_cast<long long>(x)) : std::to_string(x);
+    };
+    failInput(name + " is " + text(value), "", "it must lie between " + text(least) + " and " + text(most));
+  }
+}
+
+void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
+  plan.tileWidth = std::min(scene.width, capabilities.maximumTextureSize);
+  plan.tileHeight = std::min(scene.height, capabilities.maximumTextureSize);
+  while (static_cast<double>(plan.tileWidth) * plan.tileHeight * plan.bytesPerPixel > kMostTileBytes) {
+    int& longer = plan.tileWidth >= plan.tileHeight ? plan.tileWidth : plan.tileHeight;
+    longer = (longer + 1) / 2;
+  }
+}
+
+void checkScene(const Scene& scene) {
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  if (method.maximumK > 0) checkRange(scene.k, 1, method.maximumK, "k");
+  sortMethod(scene.sort);
+  const Lookup& row = lookup(scene.lookup);
+  if (row.table == LookupTable::table3d) {
+    tableFormat(scene.tableFormat);
+    checkRange(scene.tableSize, kSmallestTable, kLargestTable, "the table's size");
+  }
+  checkRange(scene.width, 1, kLargestSide, "the picture's width");
+  checkRange(scene.height, 1, kLargestSide, "the picture's height");
+  if (static_cast<double>(scene.width) * scene.height > kMostPixels)
+    failInput("a picture of " + std::to_string(scene.width) + " x " + std::to_string(scene.height) + " is too large",
+              "", "2^30 pixels are the most");
+  checkRange(scene.earlyTermination, 0, 1, "the opacity of early termination");
+  checkRange(scene.repeat, 1, 1000000, "repeat");
+  if (scene.unitLength && !(*scene.unitLength > 0 && std::isfinite(*scene.unitLength)))
+    failInput("the unit length must be greater than 0", "", "give it in mesh units");
+  if (scene.domain &&
+      !((*scene.domain)[0] < (*scene.domain)[1] && std::isfinite((*scene.domain)[1] - (*scene.domain)[0])))
+    failInput("the domain must be two finite numbers, the smaller first", "", "for example 0,1");
+}
+
+RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
+  checkScene(scene);
+  RenderPlan result;
+  result.visibility = visibilityMethod(scene.visibility);
+  result.ordering = orderingOf(result.visibility, capabilities);
+  if (result.visibility.needsOrder) result.sort = scene.sort;
+  result.earlyTermination = scene.earlyTermination;
+  result.cellData = facts.cellData;
+  result.opaqueSurfaces = facts.opaqueSurfaces;
+  result.certificate = scene.certificate;
+  planLookup(result, scene, facts, capabilities);
+  result.visibility.plan(result, scene, capabilities);
+  return result;
+}
+
+}  // namespace havs

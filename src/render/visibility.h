@@ -1,0 +1,35 @@
+#pragma once
+// The table of visibility methods: how the fragments of a pixel are brought into order (docs/06-add-a-method.md).
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/stage_times.h"
+#include "scene/prepared_scene.h"
+#include "scene/renderer.h"
+
+namespace havs {
+
+struct Capabilities;
+struct RenderPlan;
+
+/// One row of the table (`--visibility`).
+struct VisibilityMethod {
+  std::string name;
+  std::string description;
+  std::vector<std::string> extensions;  ///< any one of them is needed; empty: none
+  bool needsOrder = true;               ///< faces are sorted before they are drawn (`--sort`)
+  int maximumK = 0;                     ///< largest k; 0: the method knows no k
+  /// Its part of the plan: targets, tiles, defines. A pure function. Throws Error like plan().
+  void (*plan)(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) = nullptr;
+  /// `prepared` and the current device must outlive the renderer. Stages timed: table, upload_mesh.
+  std::unique_ptr<Renderer> (*make)(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                    const Progress& progress) = nullptr;
+};
+std::span<const VisibilityMethod> visibilityMethods();
+/// Throws Error{input}, naming the nearest.
+const VisibilityMethod& visibilityMethod(const std::string& name);
+
+}  // namespace havs

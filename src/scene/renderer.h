@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/stage_times.h"
+#include "image/image.h"
+#include "scene/view.h"
+
+namespace havs {
+
+/// Whether the fragments of a picture came in an order that its method could mend (docs/02-method.md, The order
+/// certificate). Zero misordered fragments: the order of every pixel is exact.
+struct Certificate {
+  std::size_t misordered = 0;        ///< fragments
+  std::size_t pixels = 0;            ///< that have any
+  std::vector<std::uint32_t> count;  ///< of each pixel, row 0 on top
+};
+
+/// A picture, and what is known of it.
+struct Drawing {
+  Image image;
+  std::optional<Certificate> certificate;  ///< where the scene asks for it and the method knows it
+  std::size_t cycles = 0;                  ///< visibility cycles that the order of the faces has cut
+  std::size_t tiles = 1;                   ///< that the picture was drawn in
+};
+
+/// Draws a prepared scene, one for each way of drawing: the rows of visibilityMethods() (render/visibility.h) and the
+/// reference (reference/reference_renderer.h). Keeps what pictures share: vertices, tables, programs, targets.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  /// The picture as seen by `view`. Times what it does of the stages order, upload, draw, flush, readback. Throws
+  /// Error{running} (no memory, ...).
+  virtual Drawing draw(const View& view, StageTimes& stages, const Progress& progress = {}) = 0;
+};
+
+}  // namespace havs
