@@ -3,18 +3,56 @@
 
 #include "app/commands.h"
 #include "app/picture_options.h"
+#include "core/error.h"
 #include "core/progress.h"
+#include "image/image.h"
+#include "render/certificate_picture.h"
+#include "render/render_scene.h"
 
 namespace havs {
+namespace {
+
+struct RenderOptions {
+  PictureOptions picture;
+  bool certificate = false;
+  std::filesystem::path certificateMask;  ///< empty: none
+};
+
+void addCertificateOptions(CLI::App& command, RenderOptions& options) {
+  const std::string group = "Output";
+  command.add_flag("--certificate", options.certificate, "Count the fragments that came too late to be ordered")
+      ->group(group);
+  command
+      .add_option("--certificate-mask", options.certificateMask,
+                  "Picture of where they are, coloured by their number (implies --certificate)")
+      ->type_name("FILE")
+      ->group(group);
+}
+
+void writeCertificateMask(const Scene& scene, const RenderReport& report, const std::filesystem::path& file) {
+  if (!report.certificate)
+    failInput("--visibility " + scene.visibility + " has no order certificate", "--certificate-mask");
+  writeImage(certificatePicture(*report.certificate, report.image.width), file);
+}
+
+void render(const RenderOptions& options) {
+  Scene scene = checkedScene(options.picture);
+  const bool wantsMask = !options.certificateMask.empty();
+  if (options.certificate || wantsMask) scene.certificate = true;
+  if (wantsMask) checkImagePath(options.certificateMask);
+  const RenderReport report = renderScene(scene, terminalProgress(options.picture.quiet));
+  if (wantsMask) writeCertificateMask(scene, report, options.certificateMask);
+  deliver(options.picture, scene, report);
+}
+
+}  // namespace
 
 void addRenderCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "Draw a mesh and write the picture");
-  auto options = std::make_shared<PictureOptions>();
-  addPictureOptions(*command, *options);
-  command->callback([options] {
-    const Scene scene = checkedScene(*options);
-    deliver(*options, scene, renderScene(scene, terminalProgress(options->quiet)));
-  });
+  auto options = std::make_shared<RenderOptions>();
+  addPictureOptions(*command, options->picture);
+  addCertificateOptions(*command, *options);
+  command->callback([options] { render(*options); });
 }
 
 }  // namespace havs

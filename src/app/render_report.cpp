@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/mesh_report.h"
 #include "core/memory.h"
+#include "render/certificate_picture.h"
 #include "render/lookups.h"
+#include "render/visibility.h"
 
 namespace havs {
 namespace {
@@ -70,6 +74,13 @@ Json deviceAsJson(const Scene& scene, const RenderReport& report) {
           {"tiles", report.tiles}};
 }
 
+Json certificateAsJson(const Certificate& certificate) {
+  return {{"misordered", certificate.misordered},
+          {"pixels", certificate.pixels},
+          {"most_of_a_pixel", mostMisordered(certificate)},
+          {"fragments", certificate.fragments}};
+}
+
 }  // namespace
 
 Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vector<std::filesystem::path>& outputs) {
@@ -84,6 +95,7 @@ Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vec
   if (report.reference) json["settings"] = settingsOfReference(json["settings"]);
   json["device"] = deviceAsJson(scene, report);
   if (!report.reference) json["cycles"] = report.cycles;
+  if (report.certificate) json["certificate"] = certificateAsJson(*report.certificate);
   json["stages_ms"] = stagesAsJson(report);
   json["frame_ms"] = frameMilliseconds(report.stages);
   json["cpu_ms"] = report.cpuMilliseconds;
@@ -112,6 +124,28 @@ std::string describeMethod(const Scene& scene, const RenderReport& report) {
                      table, scene.device, report.renderer);
 }
 
+bool isKnown(const std::string& visibility) {
+  const auto rows = visibilityMethods();
+  return std::any_of(rows.begin(), rows.end(), [&](const VisibilityMethod& row) { return row.name == visibility; });
+}
+
+/// What may put the fragments in order that this method could not.
+std::string betterOrder(const Scene& scene) {
+  std::string text;
+  auto add = [&](const std::string& option) { text += (text.empty() ? "" : " or ") + option; };
+  const int most = visibilityMethod(scene.visibility).maximumK;
+  if (scene.sort != "topological") add("--sort topological");
+  if (scene.k < most && !scene.kAuto) add("--k auto");
+  if (isKnown("abuffer") && scene.visibility != "abuffer") add("--visibility abuffer");
+  return text.empty() ? "" : "; try " + text;
+}
+
+std::string describeOrder(const Scene& scene, const Certificate& certificate) {
+  if (certificate.misordered == 0) return fmt::format("exact (0 of {} fragments misordered)", certificate.fragments);
+  return fmt::format("wrong in {} pixels ({} of {} fragments misordered, up to {} in a pixel){}", certificate.pixels,
+                     certificate.misordered, certificate.fragments, mostMisordered(certificate), betterOrder(scene));
+}
+
 std::string describeTime(const StageTimes& stages) {
   std::string text = fmt::format("{:.0f} ms in all", stages.median("total"));
   for (const auto& [stage, milliseconds] : stages.medians())
@@ -131,6 +165,7 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
                             report.fieldRange[1]));
   line("transfer", describeTransfer(report));
   line("method", describeMethod(scene, report));
+  if (report.certificate) line("order", describeOrder(scene, *report.certificate));
   line("time", describeTime(report.stages));
   line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
   for (const std::string& note : report.notes) line("note", note);

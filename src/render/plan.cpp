@@ -10,6 +10,7 @@ namespace havs {
 namespace {
 
 constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a tile
+constexpr double kMostTilePixels = 1 << 25;              // a count of each fits into a storage block of 128 MiB
 constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
 constexpr int kLargestSide = 1 << 17;
 constexpr int kSmallestTable = 2, kLargestTable = 512;
@@ -54,7 +55,8 @@ void checkRange(double value, double least, double most, const std::string& name
 void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
   plan.tileWidth = std::min(scene.width, capabilities.maximumTextureSize);
   plan.tileHeight = std::min(scene.height, capabilities.maximumTextureSize);
-  while (static_cast<double>(plan.tileWidth) * plan.tileHeight * plan.bytesPerPixel > kMostTileBytes) {
+  const double most = std::min(kMostTileBytes / plan.bytesPerPixel, kMostTilePixels);
+  while (static_cast<double>(plan.tileWidth) * plan.tileHeight > most) {
     int& longer = plan.tileWidth >= plan.tileHeight ? plan.tileWidth : plan.tileHeight;
     longer = (longer + 1) / 2;
   }

@@ -25,6 +25,7 @@ struct Scene {
   std::string visibility = "kbuffer";
   std::string sort = "topological";
   int k = 6;
+  bool kAuto = false;  ///< the smallest k without a misordered fragment instead of `k` (render/k_search.h)
   std::string lookup = "3d";
   int tableSize = 128;
   std::string tableFormat = "rgba32f";  ///< or rgba8

@@ -83,6 +83,38 @@ TEST_F(Render, PaperPresetAndOptionsAboveIt) {
   EXPECT_EQ(json["settings"]["k"], 8);
 }
 
+TEST_F(Render, CertificateIsReportedWhereAskedFor) {
+  EXPECT_FALSE(nlohmann::json::parse(render({"--json"})).contains("certificate"));
+  const auto json = nlohmann::json::parse(render({"--json", "--certificate"}));
+  EXPECT_EQ(json["certificate"]["misordered"], 0);
+  EXPECT_EQ(json["certificate"]["pixels"], 0);
+  EXPECT_GT(json["certificate"]["fragments"], 1000);
+  EXPECT_THAT(render({"--certificate"}), HasSubstr("order    exact (0 of "));
+}
+
+TEST_F(Render, MisorderedFragmentsAreCountedAndShown) {
+  const std::vector<std::string> options{"--sort", "none", "--k", "1", "--certificate-mask", "mask.png"};
+  const std::string text = render(options);
+  EXPECT_THAT(text, testing::ContainsRegex("order    wrong in [0-9]+ pixels .*try --sort topological or --k auto"));
+  auto withJson = options;
+  withJson.push_back("--json");
+  const auto json = nlohmann::json::parse(render(withJson));
+  const Image mask = readImage(folder / "mask.png");
+  ASSERT_EQ(mask.width, 48);
+  ASSERT_EQ(mask.height, 32);
+  std::size_t marked = 0;
+  for (std::size_t i = 0; i < mask.rgba.size(); i += 4) marked += mask.rgba[i] + mask.rgba[i + 1] + mask.rgba[i + 2] > 0;
+  EXPECT_GT(marked, 0u);
+  EXPECT_EQ(json["certificate"]["pixels"], marked);
+  EXPECT_GE(json["certificate"]["misordered"], marked);
+}
+
+TEST_F(Render, CertificateLeavesThePictureAsItIs) {
+  render({"-o", "a.pfm", "--sort", "none", "--k", "2"});
+  render({"-o", "b.pfm", "--sort", "none", "--k", "2", "--certificate"});
+  EXPECT_EQ(contentOf(folder / "a.pfm"), contentOf(folder / "b.pfm"));
+}
+
 TEST_F(Render, EveryFormatHoldsThePicture) {
   render({"-o", "a.exr", "-o", "a.png", "-o", "a.pfm", "--background", "white", "--png-bits", "16"});
   const Image exr = readImage(folder / "a.exr");

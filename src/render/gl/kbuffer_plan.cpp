@@ -21,6 +21,7 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
   plan.defines.push_back({"HAVS_ENTRY_TARGETS", std::to_string(plan.entryTargets)});
   if (scene.earlyTermination > 0) plan.defines.push_back({"HAVS_EARLY_TERMINATION", "1"});
   if (scene.compositeLate) plan.defines.push_back({"HAVS_COMPOSITE_LATE", "1"});
+  if (scene.certificate) plan.defines.push_back({"HAVS_CERTIFICATE", "1"});
   chooseTile(plan, scene, capabilities);
 }
 

@@ -6,6 +6,7 @@
 #include "gl/check.h"
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
+#include "render/gl/certificate_counter.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
@@ -59,8 +60,9 @@ class KBufferRenderer final : public Renderer {
     drawing.image = {view.width, view.height, {}};
     drawing.image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(view.width) *
                               static_cast<std::size_t>(view.height));
+    if (plan_.certificate) drawing.certificate = emptyCertificate(view.width, view.height);
     const std::vector<Tile> tiles = tilesOf(view, plan_);
-    for (const Tile& tile : tiles) drawTile(view, tile, drawing.image, stages);
+    for (const Tile& tile : tiles) drawTile(view, tile, drawing, stages);
     drawing.cycles = order_.cycles;
     drawing.tiles = tiles.size();
     return drawing;
@@ -75,14 +77,17 @@ class KBufferRenderer final : public Renderer {
       targets_.push_back(
           Texture::image2D(i == 0 ? "colour" : "k-buffer " + std::to_string(i), GL_RGBA32F, width, height));
     framebuffer_.emplace("k-buffer", Framebuffer::Targets(targets_.begin(), targets_.end()));
+    if (plan_.certificate) counter_.emplace(width, height);
   }
 
-  void drawTile(const View& view, const Tile& tile, Image& image, StageTimes& stages) {
+  void drawTile(const View& view, const Tile& tile, Drawing& drawing, StageTimes& stages) {
     {
       const ScopedStage timer(stages, "draw");
       beginTile(tile);
       setUniforms(insert_, view, tile);
+      if (counter_) counter_->begin(insert_, tile);
       mesh_->drawInBatches([&](std::size_t first) { insert_.set("firstFace", static_cast<int>(first)); });
+      if (counter_) counter_->end();
       glFinish();
     }
     {
@@ -94,7 +99,8 @@ class KBufferRenderer final : public Renderer {
     }
     checkGl("drawing");
     const ScopedStage timer(stages, "readback");
-    readTile(tile, image);
+    readTile(tile, drawing.image);
+    if (counter_) counter_->addTo(*drawing.certificate, tile, drawing.image.height);
   }
 
   void beginTile(const Tile& tile) {
@@ -137,6 +143,7 @@ class KBufferRenderer final : public Renderer {
   std::optional<MeshBuffers> mesh_;
   std::vector<Texture> targets_;
   std::optional<Framebuffer> framebuffer_;
+  std::optional<CertificateCounter> counter_;  ///< only where the plan asks for a certificate
 };
 
 }  // namespace
