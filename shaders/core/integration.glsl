@@ -12,16 +12,18 @@ struct SegmentWeights {
   Real alpha;  // front + back = 1 - zeta: a colour of at most 1 stays at most alpha
 };
 
-// Three Gauss-Legendre rules on [0, 1], one behind the other. The two longer ones go through s = expm1(u) / expm1(1),
+// Four Gauss-Legendre rules on [0, 1], one behind the other. The two longest go through s = expm1(u) / expm1(1),
 // which sets the nodes closer at the front, where the light comes from: 22 nodes do what takes 29.
 CONSTANT int kShallowNodes = 7;  // 1e-15 up to kShallowDepth
 CONSTANT int kMiddleNodes = 12;  // 1e-14 up to kMiddleDepth, 1e-7 at any depth
 CONSTANT int kDeepNodes = 22;    // 1e-14 at any depth
+CONSTANT int kStepNodes = 5;     // 2e-7 up to ln(2)
 CONSTANT Scalar kShallowDepth = Scalar(0.1);
 CONSTANT Scalar kMiddleDepth = Scalar(1.0);
 CONSTANT int kFirstMiddleNode = 7;
 CONSTANT int kFirstDeepNode = 19;
-CONSTANT Scalar kNode[41] = {
+CONSTANT int kFirstStepNode = 41;
+CONSTANT Scalar kNode[46] = {
     // shallow
     0.02544604382862073776, 0.12923440720030278007, 0.29707742431130141654, 0.50000000000000000000,
     0.70292257568869858346, 0.87076559279969721996, 0.97455395617137926222,
@@ -35,8 +37,11 @@ CONSTANT Scalar kNode[41] = {
     0.22675118876515080654, 0.28282497490896378871, 0.34465925955454451127, 0.41158886533796770754,
     0.48262991174248384433, 0.55644525084673517821, 0.63133438796637837134, 0.70525679995493250360,
     0.77589530473440133641, 0.84076181140749841676, 0.89734168291319101404, 0.94326597260538626370,
-    0.97649457659820413708, 0.99549351446318690677};
-CONSTANT Scalar kNodeWeight[41] = {
+    0.97649457659820413708, 0.99549351446318690677,
+    // step
+    0.04691007703066800360, 0.23076534494715845448, 0.50000000000000000000,
+    0.76923465505284154552, 0.95308992296933199640};
+CONSTANT Scalar kNodeWeight[46] = {
     // shallow
     0.06474248308443484649, 0.13985269574463833395, 0.19091502525255947241, 0.20897959183673469387,
     0.19091502525255947241, 0.13985269574463833395, 0.06474248308443484649,
@@ -50,17 +55,19 @@ CONSTANT Scalar kNodeWeight[41] = {
     0.05304183624471998819, 0.05904065870108077581, 0.06451789688995627617, 0.06917793336737168550,
     0.07268149142717064804, 0.07466539906008236119, 0.07477173812453283128, 0.07268511775873400489,
     0.06817477815406102855, 0.06113621674380064820, 0.05162559964113398508, 0.03988001331347391943,
-    0.02631860711093742396, 0.01153761349040820631};
+    0.02631860711093742396, 0.01153761349040820631,
+    // step
+    0.11846344252809454376, 0.23931433524968323402, 0.28444444444444444444,
+    0.23931433524968323402, 0.11846344252809454376};
 
 CONSTANT Scalar kDeepest = Scalar(kDouble ? 37.0 : 20.0);  // what lies behind more optical depth is below the rounding
 CONSTANT Scalar kDepthLimit = Scalar(1.0e15);              // its square is finite; more extinction changes nothing
 
 FUNCTION Real atMost(Real value, Real limit) { return select(value < limit, value, limit); }
 
-// Fraction of the way, at most 1, at which the optical depth reaches kDeepest: the root in a form that does not cancel.
-FUNCTION Real reachOfLight(Real opticalFront, Real opticalBack) {
+// Fraction of the way, at most 1, at which the optical depth reaches `deepest`: the root in a form that does not cancel.
+FUNCTION Real reachOfDepth(Real opticalFront, Real opticalBack, Real deepest) {
   Real depth = Real(0.5) * (opticalFront + opticalBack);
-  Real deepest = Real(kDeepest);
   Real radicand = opticalFront * opticalFront + Real(2.0) * (opticalBack - opticalFront) * deepest;
   Real root = squareRoot(select(radicand > Real(0.0), radicand, Real(0.0)));
   Real deep = select(depth > deepest, opticalFront + root, Real(2.0) * deepest);
@@ -72,7 +79,7 @@ FUNCTION Real reachOfLight(Real opticalFront, Real opticalBack) {
 FUNCTION SegmentWeights weightsByRule(Real opticalFront, Real opticalBack, int first, int count) {
   Real atFront = atMost(opticalFront, Real(kDepthLimit));
   Real atBack = atMost(opticalBack, Real(kDepthLimit));
-  Real reach = reachOfLight(atFront, atBack);
+  Real reach = reachOfDepth(atFront, atBack, Real(kDeepest));
   Real front = Real(0.0);
   Real back = Real(0.0);
   for (int i = first; i < first + count; ++i) {
@@ -104,6 +111,12 @@ FUNCTION Rgba weightedColor(Rgba front, Rgba back, SegmentWeights w) {
 // The exact colour, premultiplied, of a piece on which (r, g, b, kappa) goes linearly from `front` to `back`.
 FUNCTION Rgba linearPiece(Rgba front, Rgba back, Real length) {
   return weightedColor(front, back, segmentWeights(front.a * length, back.a * length));
+}
+
+// `color`, not premultiplied, seen with the opacity of an optical depth.
+FUNCTION Rgba layerOfDepth(Rgba color, Real depth) {
+  Real alpha = -expm1OfNegative(-depth);
+  return Rgba(color.r * alpha, color.g * alpha, color.b * alpha, alpha);
 }
 
 // The colour of a segment known at its ends only (lookup `post`): extinction by the trapezoidal rule, the ends' colours
