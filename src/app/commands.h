@@ -8,5 +8,6 @@ namespace havs {
 void addRenderCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMeshCommand(CLI::App& program);
+void addCompareCommand(CLI::App& program);
 
 }  // namespace havs
