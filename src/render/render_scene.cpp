@@ -35,11 +35,6 @@ void describePlan(const RenderPlan& chosen, RenderReport& report) {
       report.bytesPerPixel * static_cast<std::size_t>(chosen.tileWidth) * static_cast<std::size_t>(chosen.tileHeight);
 }
 
-void refuseCameraInside(const PreparedScene& prepared, const View& view) {
-  if (!view.orthographic && insideMesh(prepared, view.eye))
-    failInput("the camera is inside the mesh", "camera", "move it out, or look with an orthographic projection");
-}
-
 /// Scene::repeat times; the picture is the last.
 void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, RenderReport& report,
                     const Progress& progress) {
@@ -65,9 +60,8 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
     const ThreadLimit limit(scene.threads);
     const PreparedScene prepared = prepareScene(scene, report.stages, progress);
     describePrepared(prepared, report);
-    const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+    const View view = viewOf(scene, prepared);
     report.camera = describe(scene.camera, prepared.frame, scene.width, scene.height);
-    refuseCameraInside(prepared, view);
     draw(prepared, view, report);
   }
   report.cpuMilliseconds = 1e3 * (cpuSeconds() - cpuBefore);
