@@ -51,6 +51,7 @@ void runCommandLine(int argc, char** argv) {
   program.set_version_flag("--version", "havs " HAVS_VERSION);
   program.require_subcommand(1);
   addRenderCommand(program);
+  addReferenceCommand(program);
   addCompareCommand(program);
   addInfoCommand(program);
   addMeshCommand(program);

@@ -1,59 +1,20 @@
 // havs render: draws a mesh and writes the picture.
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "app/commands.h"
-#include "app/print_json.h"
-#include "app/render_report.h"
-#include "app/scene_options.h"
-#include "core/error.h"
+#include "app/picture_options.h"
 #include "core/progress.h"
-#include "image/image.h"
-#include "render/render_scene.h"
 
 namespace havs {
-namespace {
-
-struct RenderOptions {
-  SceneOptions scene;
-  std::vector<std::filesystem::path> outputs;
-  int pngBits = 8;
-  bool json = false;
-  bool quiet = false;
-};
-
-void render(const RenderOptions& options) {
-  const Scene scene = makeScene(options.scene);
-  if (options.pngBits != 8 && options.pngBits != 16)
-    failInput(fmt::format("must be 8 or 16, not {}", options.pngBits), "--png-bits");
-  for (const auto& output : options.outputs) checkImagePath(output);
-  const RenderReport report = renderScene(scene, terminalProgress(options.quiet));
-  for (const auto& output : options.outputs) writeImage(report.image, output, {scene.background, options.pngBits});
-  if (options.json)
-    printJson(reportAsJson(scene, report, options.outputs));
-  else if (!options.quiet)
-    fmt::print("{}", reportAsText(scene, report, options.outputs));
-}
-
-}  // namespace
 
 void addRenderCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "Draw a mesh and write the picture");
-  auto options = std::make_shared<RenderOptions>();
-  addSceneOptions(*command, options->scene);
-  const std::string group = "Output";
-  command->add_option("-o,--output", options->outputs, "Picture: .png, .exr or .pfm; may be given several times")
-      ->type_name("FILE")
-      ->take_all()
-      ->expected(1)
-      ->group(group);
-  command->add_option("--png-bits", options->pngBits, "Bits a channel: 8 (default) or 16")
-      ->type_name("N")
-      ->group(group);
-  command->add_flag("--json", options->json, "Report all that is known, as JSON")->group(group);
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors (and what --json asks for)")->group(group);
-  command->callback([options] { render(*options); });
+  auto options = std::make_shared<PictureOptions>();
+  addPictureOptions(*command, *options);
+  command->callback([options] {
+    const Scene scene = checkedScene(*options);
+    deliver(*options, scene, renderScene(scene, terminalProgress(options->quiet)));
+  });
 }
 
 }  // namespace havs

@@ -18,12 +18,14 @@ double frameMilliseconds(const StageTimes& stages) {
   return stages.median("order") + stages.median("upload") + stages.median("draw") + stages.median("flush");
 }
 
-/// Every stage of a frame, 0 for one that this drawing did without, and whatever else was timed.
-Json stagesAsJson(const StageTimes& stages) {
+/// Every stage of a frame, 0 for one that this drawing did without, and whatever else was timed; of the reference, what
+/// was timed.
+Json stagesAsJson(const RenderReport& report) {
   Json json;
-  for (const char* stage : {"read", "faces", "order", "upload", "table", "draw", "flush", "readback", "total"})
-    json[stage] = stages.median(stage);
-  for (const auto& [stage, milliseconds] : stages.medians()) json[stage] = milliseconds;
+  if (!report.reference)
+    for (const char* stage : {"read", "faces", "order", "upload", "table", "draw", "flush", "readback", "total"})
+      json[stage] = report.stages.median(stage);
+  for (const auto& [stage, milliseconds] : report.stages.medians()) json[stage] = milliseconds;
   return json;
 }
 
@@ -49,6 +51,25 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   return json;
 }
 
+/// Without the method's, which the reference does not heed.
+Json settingsOfReference(const Json& all) {
+  Json json;
+  for (const char* key : {"transfer_function", "camera", "size", "background", "threads", "repeat"})
+    json[key] = all[key];
+  return json;
+}
+
+Json deviceAsJson(const Scene& scene, const RenderReport& report) {
+  if (report.reference) return {{"name", "reference"}, {"tiles", report.tiles}};
+  return {{"name", scene.device},
+          {"renderer", report.renderer},
+          {"version", report.glVersion},
+          {"ordering", report.ordering},
+          {"bytes_per_pixel", report.bytesPerPixel},
+          {"target_bytes", report.targetBytes},
+          {"tiles", report.tiles}};
+}
+
 }  // namespace
 
 Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vector<std::filesystem::path>& outputs) {
@@ -60,15 +81,10 @@ Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vec
                   {"boundary_faces", report.boundaryFaces}};
   json["field"] = {{"name", report.field}, {"centering", report.centering}, {"range", report.fieldRange}};
   json["settings"] = settingsAsJson(scene, report);
-  json["device"] = {{"name", scene.device},
-                    {"renderer", report.renderer},
-                    {"version", report.glVersion},
-                    {"ordering", report.ordering},
-                    {"bytes_per_pixel", report.bytesPerPixel},
-                    {"target_bytes", report.targetBytes},
-                    {"tiles", report.tiles}};
-  json["cycles"] = report.cycles;
-  json["stages_ms"] = stagesAsJson(report.stages);
+  if (report.reference) json["settings"] = settingsOfReference(json["settings"]);
+  json["device"] = deviceAsJson(scene, report);
+  if (!report.reference) json["cycles"] = report.cycles;
+  json["stages_ms"] = stagesAsJson(report);
   json["frame_ms"] = frameMilliseconds(report.stages);
   json["cpu_ms"] = report.cpuMilliseconds;
   json["peak_memory_bytes"] = peakMemoryBytes();
@@ -89,6 +105,7 @@ std::string describeTransfer(const RenderReport& report) {
 }
 
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
+  if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
   const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
   const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
   return fmt::format("{} of {}, {} order, lookup {}{}, on {} ({})", scene.visibility, scene.k, scene.sort, scene.lookup,

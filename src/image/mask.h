@@ -5,12 +5,15 @@
 
 namespace havs {
 
-/// A mask of pixels from a picture (.png, .exr, .pfm): one byte a pixel, 1 where its red channel is above 0.5, row 0 on
-/// top. Throws Error{input} as readImage.
-std::vector<unsigned char> readMask(const std::filesystem::path& file, int& width, int& height);
+/// Throws Error{input} when writeMask would refuse the name (not .png, directory, unwritable): call before long work.
+void checkMaskPath(const std::filesystem::path& file);
 
-/// Writes a mask as a picture that readMask reads: white where it is not 0, else black. Throws Error{input} for a mask
-/// that has not width * height bytes, Error as writeImage.
+/// A PNG, white where `mask` is not 0, black elsewhere; whole or not at all. One byte a pixel, row 0 on top. Throws
+/// Error.
 void writeMask(std::span<const unsigned char> mask, int width, int height, const std::filesystem::path& file);
+
+/// One byte a pixel, row 0 on top, 1 = marked: where the red channel of the image (any format of readImage, opacity
+/// not regarded but as a factor of red) is greater than 0.5. Throws Error{input}.
+std::vector<unsigned char> readMask(const std::filesystem::path& file, int& width, int& height);
 
 }  // namespace havs

@@ -3,6 +3,8 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/parallel.h"
+#include "reference/edge_mask.h"
+#include "reference/reference_renderer.h"
 #include "render/make_renderer.h"
 #include "render/plan.h"
 #include "scene/prepared_scene.h"
@@ -38,9 +40,23 @@ void refuseCameraInside(const PreparedScene& prepared, const View& view) {
     failInput("the camera is inside the mesh", "camera", "move it out, or look with an orthographic projection");
 }
 
-}  // namespace
+/// Scene::repeat times; the picture is the last.
+void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, RenderReport& report,
+                    const Progress& progress) {
+  for (int i = 0; i < scene.repeat; ++i) {
+    if (progress && scene.repeat > 1) progress("drawing", static_cast<double>(i) / scene.repeat);
+    Drawing drawing = renderer.draw(view, report.stages, scene.repeat > 1 ? Progress{} : progress);
+    report.image = std::move(drawing.image);
+    report.certificate = std::move(drawing.certificate);
+    report.cycles = drawing.cycles;
+    report.tiles = drawing.tiles;
+  }
+  if (progress && scene.repeat > 1) progress("drawing", 1.0);
+}
 
-RenderReport renderScene(const Scene& scene, const Progress& progress) {
+/// What every way of drawing a scene goes through; draw(prepared, view, report) is its own.
+template <class Draw>
+RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& draw) {
   RenderReport report;
   const double cpuBefore = cpuSeconds();
   {
@@ -49,30 +65,36 @@ RenderReport renderScene(const Scene& scene, const Progress& progress) {
     const ThreadLimit limit(scene.threads);
     const PreparedScene prepared = prepareScene(scene, report.stages, progress);
     describePrepared(prepared, report);
-
     const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
     report.camera = describe(scene.camera, prepared.frame, scene.width, scene.height);
     refuseCameraInside(prepared, view);
+    draw(prepared, view, report);
+  }
+  report.cpuMilliseconds = 1e3 * (cpuSeconds() - cpuBefore);
+  return report;
+}
 
+}  // namespace
+
+RenderReport renderScene(const Scene& scene, const Progress& progress) {
+  return reportOf(scene, progress, [&](const PreparedScene& prepared, const View& view, RenderReport& report) {
     const auto device = makeDevice(scene.device, scene.threads);
     report.renderer = device->renderer();
     report.glVersion = device->version();
     const RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device));
     describePlan(chosen, report);
-
     const auto renderer = makeRenderer(prepared, chosen, report.stages, progress);
-    for (int i = 0; i < scene.repeat; ++i) {
-      if (progress && scene.repeat > 1) progress("drawing", static_cast<double>(i) / scene.repeat);
-      Drawing drawing = renderer->draw(view, report.stages, scene.repeat > 1 ? Progress{} : progress);
-      report.image = std::move(drawing.image);
-      report.certificate = std::move(drawing.certificate);
-      report.cycles = drawing.cycles;
-      report.tiles = drawing.tiles;
-    }
-    if (progress && scene.repeat > 1) progress("drawing", 1.0);
-  }
-  report.cpuMilliseconds = 1e3 * (cpuSeconds() - cpuBefore);
-  return report;
+    drawRepeatedly(*renderer, scene, view, report, progress);
+  });
+}
+
+RenderReport drawReference(const Scene& scene, bool edgeMask, const Progress& progress) {
+  return reportOf(scene, progress, [&](const PreparedScene& prepared, const View& view, RenderReport& report) {
+    report.reference = true;
+    const auto renderer = makeReferenceRenderer(prepared);
+    drawRepeatedly(*renderer, scene, view, report, progress);
+    if (edgeMask) report.edgeMask = boundaryEdgeMask(prepared.points, prepared.faces, view);
+  });
 }
 
 }  // namespace havs

@@ -35,10 +35,16 @@ struct RenderReport {
   std::size_t cycles = 0;      ///< cut by the topological order
   StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total
   double cpuMilliseconds = 0;  ///< of the whole call, all threads
+  bool reference = false;      ///< drawn by drawReference: what is said of OpenGL, the plan and orders is unset
+  std::vector<unsigned char> edgeMask;  ///< boundaryEdgeMask (reference/edge_mask.h), where it was asked for
 };
 
 /// Reads, prepares and draws a scene, Scene::repeat times (medians of each stage; the picture is the last). Throws
 /// Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
 RenderReport renderScene(const Scene& scene, const Progress& progress = {});
+
+/// The same by the ground truth (reference/reference_renderer.h), without OpenGL: of the method, only Scene::threads
+/// and repeat have an effect. `edgeMask`: fills RenderReport::edgeMask. Throws as renderScene.
+RenderReport drawReference(const Scene& scene, bool edgeMask = false, const Progress& progress = {});
 
 }  // namespace havs

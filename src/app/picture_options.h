@@ -1,0 +1,32 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <vector>
+
+#include "app/scene_options.h"
+#include "render/render_scene.h"
+
+namespace havs {
+
+/// The options of a command that draws a scene: all of the scene's, and where its picture and its report go.
+struct PictureOptions {
+  SceneOptions scene;
+  std::vector<std::filesystem::path> outputs;
+  int pngBits = 8;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Group of the help that the options of output stand in.
+inline constexpr const char* kOutputGroup = "Output";
+
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+/// The scene that was asked for. Throws Error{input} for anything wrong with it, and for pictures that cannot be
+/// written.
+Scene checkedScene(const PictureOptions& options);
+
+/// Writes the pictures and prints the report that was asked for. Throws Error.
+void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report);
+
+}  // namespace havs

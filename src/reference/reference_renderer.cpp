@@ -1,0 +1,45 @@
+#include "reference/reference_renderer.h"
+
+namespace havs {
+namespace {
+
+class ReferenceRenderer final : public Renderer {
+ public:
+  explicit ReferenceRenderer(const PreparedScene& prepared) : prepared_(prepared) {}
+
+  Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
+    const ScopedStage timer(stages, "draw");
+    Drawing drawing;
+    Image& image = drawing.image;
+    image.width = view.width;
+    image.height = view.height;
+    image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+    const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
+      const RayColor color = rayColor(prepared_.curve, segments);
+      for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(color[c]);
+    };
+    drawing.tiles = visitRays(prepared_, view, visit, {}, progress);
+    return drawing;
+  }
+
+ private:
+  const PreparedScene& prepared_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared) {
+  return std::make_unique<ReferenceRenderer>(prepared);
+}
+
+std::vector<RayColor> referencePixels(const PreparedScene& prepared, const View& view, const ReferenceTiles& tiles) {
+  std::vector<RayColor> pixels(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+  const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
+    pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x)] =
+        rayColor(prepared.curve, segments);
+  };
+  visitRays(prepared, view, visit, tiles);
+  return pixels;
+}
+
+}  // namespace havs
