@@ -9,5 +9,6 @@ void addRenderCommand(CLI::App& program);
 void addReferenceCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMeshCommand(CLI::App& program);
+void addCompareCommand(CLI::App& program);
 
 }  // namespace havs

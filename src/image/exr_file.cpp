@@ -100,6 +100,11 @@ std::vector<unsigned char> bytesOf(const fs::path& file) {
   return bytes;
 }
 
+/// Of the colours: the file may hold other channels of another type.
+int bitsOf(const EXRHeader& header, int channel) {
+  return header.channels[channel].pixel_type == TINYEXR_PIXELTYPE_HALF ? 16 : 32;
+}
+
 /// Number of the channel in the file; -1 when the file has none of that name.
 int channelNamed(const EXRHeader& header, const char* name) {
   for (int c = 0; c < header.num_channels; ++c)
@@ -109,7 +114,7 @@ int channelNamed(const EXRHeader& header, const char* name) {
 
 }  // namespace
 
-Image readExr(const fs::path& file) {
+StoredImage readExr(const fs::path& file) {
   const auto bytes = bytesOf(file);
   EXRVersion version;
   if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS)
@@ -136,7 +141,9 @@ Image readExr(const fs::path& file) {
     const auto* plane = channel < 0 ? nullptr : reinterpret_cast<const float*>(loaded.image.images[channel]);
     for (std::size_t i = 0; i < pixels; ++i) image.rgba[kChannels * i + kPlaceInRgba[c]] = plane ? plane[i] : 1.0f;
   }
-  return image;
+  const bool hasOpacity = channelNamed(header, "A") >= 0;
+  return {std::move(image), hasOpacity ? ImageContent::rgba : ImageContent::rgb,
+          bitsOf(header, channelNamed(header, "G"))};
 }
 
 }  // namespace havs

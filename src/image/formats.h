@@ -13,9 +13,9 @@ bool writeExr(const Image& image, const std::filesystem::path& file, const Image
 bool writePfm(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options);
 
 /// Each throws Error{input} for a file that is not whole or not of its format.
-Image readPng(const std::filesystem::path& file);
-Image readExr(const std::filesystem::path& file);
-Image readPfm(const std::filesystem::path& file);
+StoredImage readPng(const std::filesystem::path& file);
+StoredImage readExr(const std::filesystem::path& file);
+StoredImage readPfm(const std::filesystem::path& file);
 
 /// A picture of this size, zero everywhere. Throws Error{input} (naming `file`) for a size that `availableBytes` of
 /// that file cannot hold at `bytesPerPixel` (times `compression`, the most that its packing may shrink): a broken

@@ -40,6 +40,23 @@ void writeImage(const Image& image, const std::filesystem::path& file, const Ima
 /// Reads what writeImage writes (premultiplied again). Throws Error{input}.
 Image readImage(const std::filesystem::path& file);
 
+/// What the channels of a picture mean.
+enum class ImageContent {
+  rgba,  ///< premultiplied colour and opacity, without background
+  rgb    ///< colour over a background; opacity is 1 in every pixel and says nothing
+};
+
+/// A picture with what its file says of it.
+struct StoredImage {
+  Image image;
+  ImageContent content = ImageContent::rgba;  ///< rgba where the file has opacity
+  int bits = 32;                              ///< a channel
+  bool floats = true;                         ///< else whole numbers, 0 to 1 in 2^bits - 1 steps
+};
+
+/// readImage, and what the file says of its content and precision. Throws Error{input}.
+StoredImage readStoredImage(const std::filesystem::path& file);
+
 /// "white", "black", "none", "#rrggbb" or "r,g,b" in 0 to 1. Throws Error{input}.
 std::optional<Color> parseBackground(const std::string& text);
 

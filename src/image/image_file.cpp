@@ -17,7 +17,7 @@ namespace {
 struct ImageFormat {
   std::string extension;
   bool (*write)(const Image&, const fs::path&, const ImageFileOptions&);
-  Image (*read)(const fs::path&);
+  StoredImage (*read)(const fs::path&);
 };
 
 const std::array<ImageFormat, 3> kFormats{{
@@ -70,11 +70,13 @@ void writeImage(const Image& image, const fs::path& file, const ImageFileOptions
   output.commit();
 }
 
-Image readImage(const fs::path& file) {
+StoredImage readStoredImage(const fs::path& file) {
   const ImageFormat& format = formatOf(file);
   if (!fs::exists(file)) failInput("no such file", file.string());
   if (fs::is_directory(file)) failInput("is a directory, not an image", file.string());
   return format.read(file);
 }
+
+Image readImage(const fs::path& file) { return readStoredImage(file).image; }
 
 }  // namespace havs

@@ -38,7 +38,7 @@ float byteSwapped(float value) {
 }
 }  // namespace
 
-Image readPfm(const fs::path& file) {
+StoredImage readPfm(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string magic;
   std::int64_t width = 0, height = 0;
@@ -61,7 +61,7 @@ Image readPfm(const fs::path& file) {
       image.pixel(x, y)[3] = 1;
     }
   }
-  return image;
+  return {std::move(image), ImageContent::rgb};
 }
 
 }  // namespace havs

@@ -99,6 +99,8 @@ struct Reader {
   PngMessages messages;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &messages, onError, onWarning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
+  bool hasOpacity = false;
+  int bits = 8;
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
@@ -108,6 +110,9 @@ bool readHeader(Reader& reader, std::FILE* file) {
   png_init_io(reader.png, file);
   png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_read_info(reader.png, reader.info);
+  reader.bits = png_get_bit_depth(reader.png, reader.info) == 16 ? 16 : 8;
+  reader.hasOpacity = (png_get_color_type(reader.png, reader.info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+                      png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0;
   png_set_expand_16(reader.png);
   png_set_gray_to_rgb(reader.png);
   png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
@@ -133,7 +138,7 @@ bool readRows(Reader& reader, Image& image, std::vector<std::uint16_t>& row) {
 
 }  // namespace
 
-Image readPng(const fs::path& file) {
+StoredImage readPng(const fs::path& file) {
   FilePointer stream(std::fopen(file.c_str(), "rb"));
   if (!stream) failInput("cannot be read", file.string());
   Reader reader;
@@ -148,7 +153,7 @@ Image readPng(const fs::path& file) {
   std::vector<std::uint16_t> row(4 * static_cast<std::size_t>(image.width));
   if (!readRows(reader, image, row))
     failInput("broken PNG file: " + reader.messages.error, file.string(), "is it cut off?");
-  return image;
+  return {std::move(image), reader.hasOpacity ? ImageContent::rgba : ImageContent::rgb, reader.bits, false};
 }
 
 }  // namespace havs

@@ -2,6 +2,7 @@
 // otherwise.
 #include <vector>
 
+#include "core/find_row.h"
 #include "transfer/color_space.h"
 #include "transfer/transfer_function.h"
 
@@ -98,6 +99,14 @@ std::vector<TransferPreset> makePresets() {
 std::span<const TransferPreset> transferPresets() {
   static const std::vector<TransferPreset> kPresets = makePresets();
   return kPresets;
+}
+
+std::vector<RgbColor> presetColors(const std::string& name, std::size_t count) {
+  const TransferFunction& function = findRow(transferPresets(), name, "preset").function;
+  std::vector<RgbColor> colors(count);
+  for (std::size_t i = 0; i < count; ++i)
+    colors[i] = evaluate(function, static_cast<double>(i) / static_cast<double>(count - 1)).color;
+  return colors;
 }
 
 }  // namespace havs

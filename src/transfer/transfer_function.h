@@ -48,4 +48,8 @@ std::string toJson(const TransferFunction& function);
 /// Colour and opacity at a scalar (in the function's own scale); at a step, the value of the upper side.
 ControlPoint evaluate(const TransferFunction& function, double scalar);
 
+/// The colours of a preset at `count` (at least 2) equal steps from 0 to 1, for colour bars and pictures of errors.
+/// Throws Error{input} for an unknown name (names the nearest).
+std::vector<std::array<double, 3>> presetColors(const std::string& name, std::size_t count = 256);
+
 }  // namespace havs
