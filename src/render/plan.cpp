@@ -52,6 +52,10 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
+int largestK(const Scene& scene, const Capabilities& capabilities) {
+  return std::min(visibilityMethod(scene.visibility).maximumK, 2 * (capabilities.maximumDrawBuffers - 1));
+}
+
 void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
   plan.tileWidth = std::min(scene.width, capabilities.maximumTextureSize);
   plan.tileHeight = std::min(scene.height, capabilities.maximumTextureSize);
@@ -64,7 +68,7 @@ void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabi
 
 void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  if (method.maximumK > 0) checkRange(scene.k, 1, method.maximumK, "k");
+  if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, method.maximumK, "k");
   sortMethod(scene.sort);
   const Lookup& row = lookup(scene.lookup);
   if (row.table == LookupTable::table3d) {

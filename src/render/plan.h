@@ -52,6 +52,9 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
 
+/// The largest k that the scene's visibility method takes on a machine; 0 for a method without k.
+int largestK(const Scene& scene, const Capabilities& capabilities);
+
 /// Halves the longer side of the tile until `bytesPerPixel` of its targets fit into memory and the machine's limits:
 /// for a method's part of the plan.
 void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
