@@ -66,6 +66,8 @@ Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vec
                     {"ordering", report.ordering},
                     {"bytes_per_pixel", report.bytesPerPixel},
                     {"target_bytes", report.targetBytes},
+                    {"fragments", report.fragments},
+                    {"fragment_bytes", report.fragmentBytes},
                     {"tiles", report.tiles}};
   json["cycles"] = report.cycles;
   json["stages_ms"] = stagesAsJson(report.stages);

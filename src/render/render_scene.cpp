@@ -68,6 +68,8 @@ RenderReport renderScene(const Scene& scene, const Progress& progress) {
       report.certificate = std::move(drawing.certificate);
       report.cycles = drawing.cycles;
       report.tiles = drawing.tiles;
+      report.fragments = drawing.fragments;
+      report.fragmentBytes = drawing.fragmentBytes;
     }
     if (progress && scene.repeat > 1) progress("drawing", 1.0);
   }
