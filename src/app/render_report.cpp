@@ -73,6 +73,8 @@ Json deviceAsJson(const Scene& scene, const RenderReport& report) {
           {"ordering", report.ordering},
           {"bytes_per_pixel", report.bytesPerPixel},
           {"target_bytes", report.targetBytes},
+          {"fragments", report.fragments},
+          {"fragment_bytes", report.fragmentBytes},
           {"tiles", report.tiles}};
 }
 

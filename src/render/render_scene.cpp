@@ -73,6 +73,8 @@ void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, Re
     report.certificate = std::move(drawing.certificate);
     report.cycles = drawing.cycles;
     report.tiles = drawing.tiles;
+    report.fragments = drawing.fragments;
+    report.fragmentBytes = drawing.fragmentBytes;
   }
   if (progress && scene.repeat > 1) progress("drawing", 1.0);
 }
