@@ -10,6 +10,8 @@ smooth out float scalar;
 smooth out float depth;  // along the view, relative to the mesh's centre: no cancellation for a distant eye
 flat out float onBoundary;
 
+invariant gl_Position;  // passes that count faces and draw them must cover the same pixels
+
 void main() {
   scalar = pointAndScalar.w;
   depth = dot(forward, pointAndScalar.xyz);

@@ -7,6 +7,7 @@
 #include "app/mesh_report.h"
 #include "core/memory.h"
 #include "render/certificate_picture.h"
+#include "render/k_search.h"
 #include "render/lookups.h"
 #include "render/visibility.h"
 
@@ -43,7 +44,8 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
   json["visibility"] = scene.visibility;
-  json["k"] = scene.k;
+  json["k"] = report.k;
+  json["k_auto"] = wantsKSearch(scene);
   json["sort"] = scene.sort;
   json["lookup"] = scene.lookup;
   json["table"] = scene.tableSize;
@@ -71,6 +73,8 @@ Json deviceAsJson(const Scene& scene, const RenderReport& report) {
           {"ordering", report.ordering},
           {"bytes_per_pixel", report.bytesPerPixel},
           {"target_bytes", report.targetBytes},
+          {"fragments", report.fragments},
+          {"fragment_bytes", report.fragmentBytes},
           {"tiles", report.tiles}};
 }
 
@@ -120,7 +124,8 @@ std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
   const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
   const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
-  return fmt::format("{} of {}, {} order, lookup {}{}, on {} ({})", scene.visibility, scene.k, scene.sort, scene.lookup,
+  return fmt::format("{} of {}{}, {} order, lookup {}{}, on {} ({})", scene.visibility, report.k,
+                     wantsKSearch(scene) ? " (searched for)" : "", scene.sort, scene.lookup,
                      table, scene.device, report.renderer);
 }
 

@@ -70,7 +70,9 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
   addTable("--device", options.device, "Where to draw", defaults.device, deviceRows());
   addTable("--visibility", options.visibility, "How a pixel's fragments are ordered", defaults.visibility,
            visibilityMethods());
-  add(command, kGroup, "--k", options.k, "N", fmt::format("Entries of the k-buffer (default {})", defaults.k));
+  add(command, kGroup, "--k", options.k, "N|auto",
+      fmt::format("Entries of the k-buffer (default {}); auto: the fewest that bring every fragment into order",
+                  defaults.k));
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
   addTable("--lookup", options.lookup, "How a segment's colour is found", defaults.lookup, lookups());
   add(command, kGroup, "--table", options.tableSize, "N",
@@ -130,13 +132,22 @@ void setCamera(Scene& scene, const SceneOptions& options) {
   scene.camera.projection = name == "orthographic" ? Projection::orthographic : Projection::perspective;
 }
 
+void setK(Scene& scene, const std::string& text) {
+  scene.kAuto = text == "auto";
+  if (scene.kAuto) return;
+  const char* const end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, scene.k);
+  if (error != std::errc{} || last != end)
+    failInput(fmt::format("'{}' is no number of entries", text), "--k", "write a number, or auto");
+}
+
 void setMethod(Scene& scene, const SceneOptions& options) {
   if (options.visibility) scene.visibility = *options.visibility;
   if (options.sort) scene.sort = known("--sort", *options.sort, namesOf(sortMethods()));
   if (options.lookup) scene.lookup = *options.lookup;
   if (options.device) scene.device = known("--device", *options.device, namesOf(deviceRows()));
   if (options.tableFormat) scene.tableFormat = *options.tableFormat;
-  if (options.k) scene.k = *options.k;
+  if (options.k) setK(scene, *options.k);
   if (options.tableSize) scene.tableSize = *options.tableSize;
   if (options.earlyTermination) scene.earlyTermination = *options.earlyTermination;
   if (options.compositeLate) scene.compositeLate = true;

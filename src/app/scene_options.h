@@ -11,10 +11,10 @@ namespace havs {
 struct SceneOptions {
   std::string mesh, plot3dSolution;
   std::optional<std::string> tetgenSwitches, field, transferFunction, domain, size, camera, background;
-  std::optional<std::string> device, visibility, sort, lookup, tableFormat;
+  std::optional<std::string> device, visibility, k, sort, lookup, tableFormat;
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
-  std::optional<int> k, tableSize, threads, repeat;
+  std::optional<int> tableSize, threads, repeat;
   bool compositeLate = false;
   bool paper = false;
 };

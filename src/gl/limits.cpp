@@ -21,6 +21,7 @@ Limits limits() {
   found.textureSize = integer(GL_MAX_TEXTURE_SIZE);
   found.texture3dSize = integer(GL_MAX_3D_TEXTURE_SIZE);
   found.bufferTexels = integer(GL_MAX_TEXTURE_BUFFER_SIZE);
+  found.storageBlock = integer(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
   found.drawBuffers = std::min(integer(GL_MAX_DRAW_BUFFERS), integer(GL_MAX_COLOR_ATTACHMENTS));
   GLint viewport[2] = {0, 0};
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);

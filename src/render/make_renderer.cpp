@@ -14,6 +14,8 @@ Capabilities capabilitiesOf(const Device& device) {
   capabilities.maximumDrawBuffers = limit.drawBuffers;
   capabilities.maximumTextureSize = std::min({limit.textureSize, limit.viewportWidth, limit.viewportHeight});
   capabilities.maximum3dTextureSize = limit.texture3dSize;
+  capabilities.maximumBufferTexels = static_cast<std::size_t>(limit.bufferTexels);
+  capabilities.maximumStorageBlock = static_cast<std::size_t>(limit.storageBlock);
   return capabilities;
 }
 

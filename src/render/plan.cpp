@@ -10,7 +10,6 @@ namespace havs {
 namespace {
 
 constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a tile
-constexpr double kMostTilePixels = 1 << 25;              // a count of each fits into a storage block of 128 MiB
 constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
 constexpr int kLargestSide = 1 << 17;
 constexpr int kSmallestTable = 2, kLargestTable = 512;
@@ -41,6 +40,23 @@ std::string orderingOf(const VisibilityMethod& method, const Capabilities& capab
   return *found;
 }
 
+/// Names of the methods for which `property` holds, for messages.
+std::string methodsWith(bool VisibilityMethod::*property) {
+  std::string names;
+  for (const VisibilityMethod& method : visibilityMethods())
+    if (method.*property) names += (names.empty() ? "" : " or ") + method.name;
+  return names;
+}
+
+void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method) {
+  if (scene.earlyTermination > 0 && !method.endsPixelsEarly)
+    failInput("the visibility method " + method.name + " cannot end pixels early", "--early-termination",
+              "leave it out, or draw with --visibility " + methodsWith(&VisibilityMethod::endsPixelsEarly));
+  if (scene.compositeLate && !method.dropsLateFragments)
+    failInput("the visibility method " + method.name + " knows no late fragments", "--composite-late",
+              "leave it out, or draw with --visibility " + methodsWith(&VisibilityMethod::dropsLateFragments));
+}
+
 }  // namespace
 
 void checkRange(double value, double least, double most, const std::string& name) {
@@ -52,10 +68,14 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
-void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
+int largestK(const Scene& scene, const Capabilities& capabilities) {
+  return std::min(visibilityMethod(scene.visibility).maximumK, 2 * (capabilities.maximumDrawBuffers - 1));
+}
+
+void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities, std::size_t mostPixels) {
   plan.tileWidth = std::min(scene.width, capabilities.maximumTextureSize);
   plan.tileHeight = std::min(scene.height, capabilities.maximumTextureSize);
-  const double most = std::min(kMostTileBytes / plan.bytesPerPixel, kMostTilePixels);
+  const double most = std::min(kMostTileBytes / plan.bytesPerPixel, static_cast<double>(mostPixels));
   while (static_cast<double>(plan.tileWidth) * plan.tileHeight > most) {
     int& longer = plan.tileWidth >= plan.tileHeight ? plan.tileWidth : plan.tileHeight;
     longer = (longer + 1) / 2;
@@ -64,7 +84,8 @@ void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabi
 
 void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  if (method.maximumK > 0) checkRange(scene.k, 1, method.maximumK, "k");
+  if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, method.maximumK, "k");
+  refuseWhatTheMethodLacks(scene, method);
   sortMethod(scene.sort);
   const Lookup& row = lookup(scene.lookup);
   if (row.table == LookupTable::table3d) {

@@ -15,6 +15,8 @@ struct Capabilities {
   int maximumDrawBuffers = 8;
   int maximumTextureSize = 16384;
   int maximum3dTextureSize = 512;
+  std::size_t maximumBufferTexels = std::size_t{1} << 16;  ///< of a buffer texture
+  std::size_t maximumStorageBlock = std::size_t{1} << 24;  ///< bytes of a storage buffer that a shader sees
 };
 
 /// A name and value that a shader is compiled with.
@@ -34,9 +36,10 @@ struct RenderPlan {
   int tableSize = 0;
   int k = 0;
   std::vector<ShaderDefine> defines;
-  int entryTargets = 0;   ///< RGBA32F, two k-buffer entries each, beside the colour target
-  int bytesPerPixel = 0;  ///< of all targets
-  int tileWidth = 0;      ///< the picture is drawn in tiles of at most this size
+  int entryTargets = 0;           ///< RGBA32F, two k-buffer entries each, beside the colour target
+  int bytesPerPixel = 0;          ///< of all targets
+  std::size_t mostFragments = 0;  ///< a-buffer: stored at once
+  int tileWidth = 0;              ///< the picture is drawn in tiles of at most this size
   int tileHeight = 0;
   double earlyTermination = 0;
   bool cellData = false;
@@ -52,9 +55,14 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
 
+/// The largest k that the scene's visibility method takes on a machine; 0 for a method without k.
+int largestK(const Scene& scene, const Capabilities& capabilities);
+
 /// Halves the longer side of the tile until `bytesPerPixel` of its targets fit into memory and the machine's limits:
-/// for a method's part of the plan.
-void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+/// for a method's part of the plan. `mostPixels`: a limit of the method's own;
+/// by default a count of each pixel fits into a storage block of 128 MiB.
+void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities,
+                std::size_t mostPixels = std::size_t{1} << 25);
 
 /// Throws Error{input} unless least <= value <= most.
 void checkRange(double value, double least, double most, const std::string& name);

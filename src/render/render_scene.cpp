@@ -1,10 +1,13 @@
 #include "render/render_scene.h"
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/parallel.h"
 #include "reference/edge_mask.h"
 #include "reference/reference_renderer.h"
+#include "render/k_search.h"
 #include "render/make_renderer.h"
 #include "render/plan.h"
 #include "scene/prepared_scene.h"
@@ -29,10 +32,30 @@ void describePrepared(const PreparedScene& prepared, RenderReport& report) {
 }
 
 void describePlan(const RenderPlan& chosen, RenderReport& report) {
+  report.k = chosen.k;
   report.ordering = chosen.ordering;
   report.bytesPerPixel = static_cast<std::size_t>(chosen.bytesPerPixel);
   report.targetBytes =
       report.bytesPerPixel * static_cast<std::size_t>(chosen.tileWidth) * static_cast<std::size_t>(chosen.tileHeight);
+}
+
+/// The scene with the k of the search, where it asks for one.
+Scene withChosenK(const Scene& scene, const PreparedScene& prepared, const View& view, const Capabilities& capabilities,
+                  StageTimes& stages, const Progress& progress) {
+  Scene chosen = scene;
+  if (!wantsKSearch(scene)) return chosen;
+  const ScopedStage timer(stages, "k_search");
+  chosen.k = searchK(scene, prepared, view, capabilities, progress);
+  chosen.kAuto = false;
+  chosen.certificate = true;  // the picture itself proves the choice
+  return chosen;
+}
+
+void noteUnmendedOrder(const Scene& scene, RenderReport& report) {
+  if (!wantsKSearch(scene) || !report.certificate || report.certificate->misordered == 0) return;
+  report.notes.push_back(fmt::format(
+      "no k is enough: with the largest, {}, {} fragments in {} pixels are misordered; try --visibility abuffer",
+      report.k, report.certificate->misordered, report.certificate->pixels));
 }
 
 /// Scene::repeat times; the picture is the last.
@@ -45,6 +68,8 @@ void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, Re
     report.certificate = std::move(drawing.certificate);
     report.cycles = drawing.cycles;
     report.tiles = drawing.tiles;
+    report.fragments = drawing.fragments;
+    report.fragmentBytes = drawing.fragmentBytes;
   }
   if (progress && scene.repeat > 1) progress("drawing", 1.0);
 }
@@ -75,10 +100,13 @@ RenderReport renderScene(const Scene& scene, const Progress& progress) {
     const auto device = makeDevice(scene.device, scene.threads);
     report.renderer = device->renderer();
     report.glVersion = device->version();
-    const RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device));
+    const Capabilities capabilities = capabilitiesOf(*device);
+    const RenderPlan chosen =
+        plan(withChosenK(scene, prepared, view, capabilities, report.stages, progress), prepared.facts(), capabilities);
     describePlan(chosen, report);
     const auto renderer = makeRenderer(prepared, chosen, report.stages, progress);
     drawRepeatedly(*renderer, scene, view, report, progress);
+    noteUnmendedOrder(scene, report);
   });
 }
 

@@ -31,9 +31,13 @@ struct RenderReport {
   std::size_t bytesPerPixel = 0;  ///< of the render targets
   std::size_t targetBytes = 0;    ///< all targets together
   std::size_t tiles = 1;
+  int k = 0;  ///< used: the scene's, or the one that the search chose
+  std::size_t fragments = 0;      ///< of the picture, where the method keeps them all (a-buffer)
+  std::size_t fragmentBytes = 0;  ///< of memory that these took at once
   std::optional<Certificate> certificate;
   std::size_t cycles = 0;      ///< cut by the topological order
-  StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total
+  StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total;
+                               ///< k_search where k is searched for
   double cpuMilliseconds = 0;  ///< of the whole call, all threads
   bool reference = false;      ///< drawn by drawReference: what is said of OpenGL, the plan and orders is unset
   std::vector<unsigned char> edgeMask;  ///< boundaryEdgeMask (reference/edge_mask.h), where it was asked for

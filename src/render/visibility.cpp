@@ -12,8 +12,14 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .extensions = {"GL_EXT_shader_framebuffer_fetch"},
        .needsOrder = true,
        .maximumK = 14,
+       .dropsLateFragments = true,
        .plan = planKBuffer,
        .make = makeKBufferRenderer},
+      {.name = "abuffer",
+       .description = "all fragments of a pixel in memory, sorted; exact for any order of the faces (Carpenter 1984)",
+       .needsOrder = false,
+       .plan = planABuffer,
+       .make = makeABufferRenderer},
   };
   return rows;
 }

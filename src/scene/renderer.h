@@ -25,6 +25,8 @@ struct Drawing {
   std::optional<Certificate> certificate;  ///< where the scene asks for it and the method knows it
   std::size_t cycles = 0;                  ///< visibility cycles that the order of the faces has cut
   std::size_t tiles = 1;                   ///< that the picture was drawn in
+  std::size_t fragments = 0;               ///< counted by a method that keeps them all, else 0
+  std::size_t fragmentBytes = 0;           ///< of memory that these took at once
 };
 
 /// Draws a prepared scene, one for each way of drawing: the rows of visibilityMethods() (render/visibility.h) and the

@@ -124,7 +124,7 @@ StudyAxis earlyTerminationAxis() {
           },
       .apply = [](Scene& s, const std::string& value) { s.earlyTermination = parseNumber<double>(value, "a number"); },
       .valueOf = [](const Scene& s) { return fmt::format("{}", s.earlyTermination); },
-      .applies = always};
+      .applies = [](const Scene& s) { return visibilityMethod(s.visibility).endsPixelsEarly; }};
 }
 
 StudyAxis sizeAxis() {

@@ -68,6 +68,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"KZero", rendering({"--k", "0"}), "between 1 and 14"},
                     Refused{"KFifteen", rendering({"--k", "15"}), "between 1 and 14"},
                     Refused{"KText", rendering({"--k", "six"}), "--k"},
+                    Refused{"KNearlyAuto", rendering({"--k", "automatic"}), "auto"},
+                    Refused{"KWithMore", rendering({"--k", "6x"}), "--k"},
                     Refused{"TableOne", rendering({"--table", "1"}), "between 2 and 512"},
                     Refused{"TableOfAMillion", rendering({"--table", "1000000"}), "between 2 and 512"},
                     Refused{"EarlyTermination", rendering({"--early-termination", "1.5"}), "between 0 and 1"},

@@ -43,7 +43,7 @@ TEST_F(Render, JsonHoldsEveryKey) {
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
-                                            "sort", "lookup", "table", "table_format", "early_termination",
+                                            "k_auto", "sort", "lookup", "table", "table_format", "early_termination",
                                             "composite_late", "threads", "repeat"));
 }
 
@@ -103,7 +103,8 @@ TEST_F(Render, MisorderedFragmentsAreCountedAndShown) {
   ASSERT_EQ(mask.width, 48);
   ASSERT_EQ(mask.height, 32);
   std::size_t marked = 0;
-  for (std::size_t i = 0; i < mask.rgba.size(); i += 4) marked += mask.rgba[i] + mask.rgba[i + 1] + mask.rgba[i + 2] > 0;
+  for (std::size_t i = 0; i < mask.rgba.size(); i += 4)
+    marked += mask.rgba[i] + mask.rgba[i + 1] + mask.rgba[i + 2] > 0;
   EXPECT_GT(marked, 0u);
   EXPECT_EQ(json["certificate"]["pixels"], marked);
   EXPECT_GE(json["certificate"]["misordered"], marked);
@@ -113,6 +114,19 @@ TEST_F(Render, CertificateLeavesThePictureAsItIs) {
   render({"-o", "a.pfm", "--sort", "none", "--k", "2"});
   render({"-o", "b.pfm", "--sort", "none", "--k", "2", "--certificate"});
   EXPECT_EQ(contentOf(folder / "a.pfm"), contentOf(folder / "b.pfm"));
+}
+
+TEST_F(Render, AutomaticKIsTheSmallestThatIsExact) {
+  const auto json = nlohmann::json::parse(render({"--sort", "centroid", "--k", "auto", "--json"}));
+  EXPECT_EQ(json["settings"]["k_auto"], true);
+  EXPECT_EQ(json["certificate"]["misordered"], 0);
+  EXPECT_TRUE(json["stages_ms"].contains("k_search"));
+  const int k = json["settings"]["k"];
+  ASSERT_GT(k, 1);  // the cube's six cells around a diagonal are not in order by themselves
+  const auto smaller =
+      nlohmann::json::parse(render({"--sort", "centroid", "--k", std::to_string(k - 1), "--certificate", "--json"}));
+  EXPECT_GT(smaller["certificate"]["misordered"], 0);
+  EXPECT_EQ(smaller["settings"]["k_auto"], false);
 }
 
 TEST_F(Render, EveryFormatHoldsThePicture) {

@@ -12,4 +12,13 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
 std::unique_ptr<Renderer> makeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                               const Progress& progress);
 
+inline constexpr std::size_t kBytesPerFragment = 8;  ///< of the a-buffer's lists
+void planABuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+std::unique_ptr<Renderer> makeABufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                              const Progress& progress);
+
+void planCells(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+std::unique_ptr<Renderer> makeCellsRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                            const Progress& progress);
+
 }  // namespace havs

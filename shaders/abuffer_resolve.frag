@@ -1,0 +1,38 @@
+// The a-buffer (Carpenter 1984), last pass: the list of each pixel is sorted, and its fragments leave one after another as
+// from a k-buffer: the same segments, inside-count, lookup and compositing.
+#include "core/language.glsl"
+#include "payload.glsl"
+#define HAVS_K 1
+#include "core/kbuffer.glsl"
+#include "core/compositing.glsl"
+#include "segment_color.glsl"
+#include "abuffer_lists.glsl"
+#include "abuffer_sort.glsl"
+
+layout(location = 0) out vec4 colorTarget;
+
+#ifdef HAVS_EARLY_TERMINATION
+uniform float terminalOpacity;
+#endif
+
+void main() {
+  int pixel = pixelOfTile();
+  int first = pixel == 0 ? 0 : int(ends[pixel - 1]);
+  int count = int(ends[pixel]) - first;
+  Rgba color = Rgba(0.0);
+  if (count > 1) {
+    PixelState state = PixelState(0.0, 0.0);
+    Merge list = sortList(first, count);
+    Fragment front = fragmentOf(takeNext(list));
+    for (int i = 1; i < count; ++i) {
+      Fragment back = fragmentOf(takeNext(list));
+      Segment segment = leave(state, front, back);
+      color = compositeUnder(color, segmentColor(segment));
+      front = back;
+#ifdef HAVS_EARLY_TERMINATION
+      if (color.a >= terminalOpacity) break;
+#endif
+    }
+  }
+  colorTarget = color;
+}

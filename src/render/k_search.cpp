@@ -1,0 +1,55 @@
+// The smallest k that mends a picture's order, by drawing it with a certificate.
+//
+// Why halving the interval is right. A buffer of k entries holds the k farthest fragments that have come: what leaves
+// is the nearest, and a late fragment, which is nearer than all of them, never stays. So the distance below which the
+// next fragment is late, that of the k-th farthest so far, falls as k grows, and a picture without a late fragment at k
+// has none at k + 1 either (tests/gl/certificate_test.cpp: NeverGrowsWithK).
+//
+// Early termination breaks this: with a larger k segments are drawn later, so a pixel looks at more fragments before it
+// is done, late ones perhaps. Then every k is tried, from 1 on.
+#include "render/k_search.h"
+
+#include "render/make_renderer.h"
+
+namespace havs {
+namespace {
+
+/// Where a fragment comes does not depend on how a segment is coloured: no table is built for the search, unless pixels
+/// are done by their opacity. What fragments carry stays, as targets and tiles depend on it.
+Scene sceneForSearch(const Scene& scene) {
+  Scene search = scene;
+  search.certificate = true;
+  search.kAuto = false;
+  if (scene.earlyTermination == 0) search.lookup = "post";
+  return search;
+}
+
+}  // namespace
+
+bool wantsKSearch(const Scene& scene) { return scene.kAuto && visibilityMethod(scene.visibility).maximumK > 0; }
+
+int searchK(const Scene& scene, const PreparedScene& prepared, const View& view, const Capabilities& capabilities,
+            const Progress& progress) {
+  Scene search = sceneForSearch(scene);
+  StageTimes ignored;
+  auto isExact = [&](int k) {
+    search.k = k;
+    const RenderPlan chosen = plan(search, prepared.facts(), capabilities);
+    return makeRenderer(prepared, chosen, ignored)->draw(view, ignored).certificate->misordered == 0;
+  };
+  int least = 1, most = largestK(search, capabilities);
+  const int tries = most;
+  while (least < most) {
+    if (progress) progress("searching k", 1.0 - static_cast<double>(most - least) / tries);
+    const int k = scene.earlyTermination > 0 ? least : (least + most) / 2;
+    if (isExact(k)) {
+      most = k;
+    } else {
+      least = k + 1;
+    }
+  }
+  if (progress) progress("searching k", 1.0);
+  return least;
+}
+
+}  // namespace havs
