@@ -26,14 +26,15 @@ struct Subject::Made {
 
 namespace {
 
-/// What a renderer holds, roughly: targets, table, vertices and faces.
+/// What a renderer holds, at most, roughly: targets, fragments, table, vertices and faces.
 std::size_t bytesOf(const RenderPlan& plan, const PreparedScene& prepared) {
   const double targets = static_cast<double>(plan.bytesPerPixel) * plan.tileWidth * plan.tileHeight;
   const double table =
       static_cast<double>(plan.tableFormat.bytesPerEntry) * plan.tableSize * plan.tableSize * plan.tableSize;
   const double mesh =
       16.0 * static_cast<double>(prepared.points.size()) + 32.0 * static_cast<double>(prepared.faces.size());
-  return static_cast<std::size_t>(targets + table + mesh);
+  const double fragments = 16.0 * static_cast<double>(plan.mostFragments);
+  return static_cast<std::size_t>(targets + fragments + table + mesh);
 }
 
 SubjectRecord describeSubject(std::string id, const Scene& scene, const PreparedScene& prepared) {
