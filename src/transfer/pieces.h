@@ -41,6 +41,25 @@ void visitPieces(const ExtinctionCurve& curve, double from, double to, const Vis
   }
 }
 
+/// weightsByRule of a thin piece, optical depth at most kShallowDepth: nothing is out of light's reach, and exp needs
+/// but a few terms. As exact, in half the time.
+inline DoubleArithmetic::SegmentWeights thinWeights(double atFront, double atBack) {
+  using A = DoubleArithmetic;
+  constexpr int kTerms = 9;  // 0.1^10 / 10! < 2^-53 / 1000
+  double front = 0, back = 0;
+  for (int i = 0; i < A::kShallowNodes; ++i) {
+    const double s = A::kNode[i];
+    const double slope = atFront * (1 - s) + atBack * s;
+    const double x = -0.5 * s * (atFront + slope);
+    double exponential = A::kInverseFactorial[kTerms];
+    for (int term = kTerms - 1; term >= 0; --term) exponential = exponential * x + A::kInverseFactorial[term];
+    const double light = A::kNodeWeight[i] * slope * exponential;
+    front += (1 - s) * light;
+    back += s * light;
+  }
+  return {front, back, front + back};
+}
+
 /// The exact integral over one piece, with no more nodes than its optical depth needs.
 inline Rgba integratePiece(const Rgba& front, const Rgba& back, double length) {
   using A = DoubleArithmetic;
@@ -48,8 +67,7 @@ inline Rgba integratePiece(const Rgba& front, const Rgba& back, double length) {
   const double atBack = back.a * length;
   const double depth = (atFront + atBack) / 2;
   if (!(depth > 0)) return {0, 0, 0, 0};
-  if (depth <= A::kShallowDepth)
-    return A::weightedColor(front, back, A::weightsByRule(atFront, atBack, 0, A::kShallowNodes));
+  if (depth <= A::kShallowDepth) return A::weightedColor(front, back, thinWeights(atFront, atBack));
   if (depth <= A::kMiddleDepth) {
     return A::weightedColor(front, back, A::weightsByRule(atFront, atBack, A::kFirstMiddleNode, A::kMiddleNodes));
   }

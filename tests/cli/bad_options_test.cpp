@@ -37,6 +37,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"SecondOfTwo", {"render", "cube.node", "-o", "a.png", "-o", "a.gif"}, "a.gif"},
                     Refused{"MeshExtension", {"mesh", "cube.node", "-o", "a.stl"}, ".vtu"},
                     Refused{"MeshFolder", {"mesh", "cube.node", "-o", "no/a.node"}, "folder does not exist"},
+                    Refused{"MaskExtension", {"reference", "cube.node", "--edge-mask", "m.exr"}, ".png"},
+                    Refused{
+                        "MaskFolder", {"reference", "cube.node", "--edge-mask", "no/m.png"}, "folder does not exist"},
+                    Refused{"MethodOfTheReference", {"reference", "cube.node", "--lookup", "4d"}, "'3d'"},
                     Refused{"PngBits", rendering({"--png-bits", "12"}), "8 or 16"}),
     nameOfCase);
 

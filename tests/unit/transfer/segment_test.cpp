@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/arithmetic.h"
+#include "transfer/pieces.h"
 #include "transfer/preintegration.h"
 #include "unit/gauss_kronrod.h"
 
@@ -78,6 +79,35 @@ TEST(Segment, ConstantExtinction) {
       EXPECT_NEAR(c.color[1], c.alpha, 1e-15);
     }
   }
+}
+
+/// A piece between (kappa, colour) at both ends by the integrals of its weights.
+Rgba pieceByQuadrature(const Rgba& front, const Rgba& back, double length) {
+  const long double atFront = static_cast<long double>(front.a) * length,
+                    atBack = static_cast<long double>(back.a) * length;
+  const auto weight = [&](bool ofBack) {
+    return static_cast<double>(test::integrate(
+        [&](long double s) {
+          const long double slope = atFront * (1 - s) + atBack * s;
+          return (ofBack ? s : 1 - s) * slope * std::exp(-s * (atFront + slope) / 2);
+        },
+        0, 1));
+  };
+  const double f = weight(false), b = weight(true);
+  return {f * front.r + b * back.r, f * front.g + b * back.g, f * front.b + b * back.b, f + b};
+}
+
+TEST(Segment, PiecesKeepTheirRelativeAccuracyAtEveryDepth) {
+  double worst = 0;
+  for (int exponent = -40; exponent <= 16; ++exponent)
+    for (const double share : {0.0, 1e-6, 0.1, 0.4, 0.5, 0.8, 1.0}) {
+      const double depth = std::exp2(0.5 * exponent);  // past the ends of the rules for thin and for middling pieces
+      const Rgba front(1, 0, 0.5, 2 * depth * share), back(0, 1, 0.5, 2 * depth * (1 - share));
+      const Rgba found = integratePiece(front, back, 1), expected = pieceByQuadrature(front, back, 1);
+      for (const auto& [f, e] : {std::pair{found.r, expected.r}, {found.g, expected.g}, {found.a, expected.a}})
+        worst = std::max(worst, std::abs(f / e - 1));
+    }
+  EXPECT_LE(worst, 1e-13);  // the weights' own bound (arithmetic_integration_test.cpp)
 }
 
 TEST(Segment, RisingRampIsTheErfForm) {
