@@ -38,6 +38,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"MaskExtension", rendering({"--certificate-mask", "m.gif"}), "m.gif"},
                     Refused{"MeshExtension", {"mesh", "cube.node", "-o", "a.stl"}, ".vtu"},
                     Refused{"MeshFolder", {"mesh", "cube.node", "-o", "no/a.node"}, "folder does not exist"},
+                    Refused{"MaskExtension", {"reference", "cube.node", "--edge-mask", "m.exr"}, ".png"},
+                    Refused{
+                        "MaskFolder", {"reference", "cube.node", "--edge-mask", "no/m.png"}, "folder does not exist"},
+                    Refused{"MethodOfTheReference", {"reference", "cube.node", "--lookup", "4d"}, "'3d'"},
                     Refused{"PngBits", rendering({"--png-bits", "12"}), "8 or 16"}),
     nameOfCase);
 

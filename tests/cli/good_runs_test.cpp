@@ -200,7 +200,7 @@ TEST(Help, OfTheProgramNamesTheCommands) {
   const TemporaryFolder folder;
   const Outcome run = runHavs({"--help"}, folder.path());
   EXPECT_EQ(run.status, 0);
-  for (const char* name : {"render", "info", "mesh"}) EXPECT_THAT(run.output, HasSubstr(name));
+  for (const char* name : {"render", "reference", "info", "mesh"}) EXPECT_THAT(run.output, HasSubstr(name));
 }
 
 TEST(Version, IsPrinted) {
