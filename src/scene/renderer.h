@@ -13,8 +13,9 @@ namespace havs {
 /// Whether the fragments of a picture came in an order that its method could mend (docs/02-method.md, The order
 /// certificate). Zero misordered fragments: the order of every pixel is exact.
 struct Certificate {
-  std::size_t misordered = 0;        ///< fragments
-  std::size_t pixels = 0;            ///< that have any
+  std::size_t fragments = 0;         ///< that were looked at: those of pixels not yet done (early termination)
+  std::size_t misordered = 0;        ///< of these
+  std::size_t pixels = 0;            ///< that have any misordered
   std::vector<std::uint32_t> count;  ///< of each pixel, row 0 on top
 };
 
