@@ -5,6 +5,7 @@
 #include "app/mesh_report.h"
 #include "core/memory.h"
 #include "render/lookups.h"
+#include "render/visibility.h"
 
 namespace havs {
 namespace {
@@ -37,8 +38,9 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
   json["visibility"] = scene.visibility;
-  json["k"] = scene.k;
-  json["sort"] = scene.sort;
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  json["k"] = method.maximumK > 0 ? Json(scene.k) : Json();
+  json["sort"] = method.needsOrder ? Json(scene.sort) : Json();
   json["lookup"] = scene.lookup;
   json["table"] = scene.tableSize;
   json["table_format"] = scene.tableFormat;
@@ -93,8 +95,13 @@ std::string describeTransfer(const RenderReport& report) {
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
   const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
-  return fmt::format("{} of {}, {} order, lookup {}{}, on {} ({})", scene.visibility, scene.k, scene.sort, scene.lookup,
-                     table, scene.device, report.renderer);
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  const std::string k = method.maximumK > 0 ? fmt::format(" of {}", scene.k) : "";
+  const std::string sort = method.needsOrder ? fmt::format(", {} order", scene.sort) : "";
+  const std::string kept =
+      report.fragments > 0 ? fmt::format(", {} fragments in {} tiles", report.fragments, report.tiles) : "";
+  return fmt::format("{}{}{}{}, lookup {}{}, on {} ({})", scene.visibility, k, sort, kept, scene.lookup, table,
+                     scene.device, report.renderer);
 }
 
 std::string describeTime(const StageTimes& stages) {

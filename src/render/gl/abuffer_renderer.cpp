@@ -22,6 +22,18 @@ constexpr GLuint kEndsBinding = 3, kFragmentsUnit = 0;  // as in abuffer_lists.g
 constexpr std::array kZero{0.0f, 0.0f, 0.0f, 0.0f};
 constexpr float kMostCount = 1 << 24;  // beyond it, floats do not count by ones
 
+/// Draws within a tile only, while it lives.
+class Scissors {
+ public:
+  explicit Scissors(const Tile& area) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(area.x, area.y, area.width, area.height);
+  }
+  Scissors(const Scissors&) = delete;
+  Scissors& operator=(const Scissors&) = delete;
+  ~Scissors() { glDisable(GL_SCISSOR_TEST); }
+};
+
 FaceOrder asNumbered(std::size_t faces) {
   FaceOrder order;
   order.faces.resize(faces);
@@ -63,7 +75,6 @@ class ABufferRenderer final : public Renderer {
         drawing.fragments += tile.fragments;
         ++drawing.tiles;
       }
-      glDisable(GL_SCISSOR_TEST);
       checkGl("drawing");
       readTime.time([&] { readTile(*colorFramebuffer_, part, drawing.image); });
     }
@@ -131,8 +142,7 @@ class ABufferRenderer final : public Renderer {
     bindLists();
     countFramebuffer_->bind();
     glViewport(0, 0, part.width, part.height);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(tile.area.x, tile.area.y, tile.area.width, tile.area.height);
+    const Scissors scissors(tile.area);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // else llvmpipe drops what opaque triangles hide
     useForView(store_, view, part);
     store_.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
@@ -166,7 +176,7 @@ class ABufferRenderer final : public Renderer {
 
   void resolve(const Tile& area) {
     colorFramebuffer_->bind();
-    glScissor(area.x, area.y, area.width, area.height);
+    const Scissors scissors(area);
     resolve_.use();
     setTile(resolve_, area);
     resolve_.set("terminalOpacity", static_cast<float>(plan_.earlyTermination));
