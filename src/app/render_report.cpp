@@ -44,9 +44,10 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
   json["visibility"] = scene.visibility;
-  json["k"] = report.k;
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  json["k"] = method.maximumK > 0 ? Json(report.k) : Json();
   json["k_auto"] = wantsKSearch(scene);
-  json["sort"] = scene.sort;
+  json["sort"] = method.needsOrder ? Json(scene.sort) : Json();
   json["lookup"] = scene.lookup;
   json["table"] = scene.tableSize;
   json["table_format"] = scene.tableFormat;
@@ -124,14 +125,13 @@ std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
   const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
   const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
-  return fmt::format("{} of {}{}, {} order, lookup {}{}, on {} ({})", scene.visibility, report.k,
-                     wantsKSearch(scene) ? " (searched for)" : "", scene.sort, scene.lookup,
-                     table, scene.device, report.renderer);
-}
-
-bool isKnown(const std::string& visibility) {
-  const auto rows = visibilityMethods();
-  return std::any_of(rows.begin(), rows.end(), [&](const VisibilityMethod& row) { return row.name == visibility; });
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  const std::string k = method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";
+  const std::string sort = method.needsOrder ? fmt::format(", {} order", scene.sort) : "";
+  const std::string kept =
+      report.fragments > 0 ? fmt::format(", {} fragments in {} tiles", report.fragments, report.tiles) : "";
+  return fmt::format("{}{}{}{}, lookup {}{}, on {} ({})", scene.visibility, k, sort, kept, scene.lookup, table,
+                     scene.device, report.renderer);
 }
 
 /// What may put the fragments in order that this method could not.
@@ -141,7 +141,7 @@ std::string betterOrder(const Scene& scene) {
   const int most = visibilityMethod(scene.visibility).maximumK;
   if (scene.sort != "topological") add("--sort topological");
   if (scene.k < most && !scene.kAuto) add("--k auto");
-  if (isKnown("abuffer") && scene.visibility != "abuffer") add("--visibility abuffer");
+  if (scene.visibility != "abuffer") add("--visibility abuffer");
   return text.empty() ? "" : "; try " + text;
 }
 

@@ -20,6 +20,12 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .needsOrder = false,
        .plan = planABuffer,
        .make = makeABufferRenderer},
+      {.name = "cells",
+       .description = "each cell's segment blended as its faces come; as exact as their order (cycles, --sort)",
+       .needsOrder = true,
+       .endsPixelsEarly = false,
+       .plan = planCells,
+       .make = makeCellsRenderer},
   };
   return rows;
 }

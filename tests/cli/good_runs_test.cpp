@@ -68,6 +68,27 @@ TEST_F(Render, JsonTellsWhatWasDrawn) {
   EXPECT_GT(json["peak_memory_bytes"], 1 << 20);
 }
 
+TEST_F(Render, JsonTellsWhatTheABufferKept) {
+  const auto json = nlohmann::json::parse(render({"--visibility", "abuffer", "--json"}));
+  EXPECT_TRUE(json["settings"]["k"].is_null());
+  EXPECT_TRUE(json["settings"]["sort"].is_null());
+  EXPECT_GT(json["device"]["fragments"],
+            48 * 32 / 10);  // more than one fragment in ten pixels: the cube is in the picture
+  EXPECT_EQ(json["device"]["fragment_bytes"], 8 * json["device"]["fragments"].get<std::size_t>());
+  EXPECT_THAT(render({"--visibility", "abuffer"}), HasSubstr("fragments in 1 tiles"));
+}
+
+TEST_F(Render, EveryVisibilityMethodDrawsTheSamePicture) {
+  render({"-o", "kbuffer.exr"});
+  const Image expected = readImage(folder / "kbuffer.exr");
+  for (const char* method : {"abuffer", "cells"}) {
+    render({"-o", "a.exr", "--visibility", method});
+    const Image image = readImage(folder / "a.exr");
+    ASSERT_EQ(image.rgba.size(), expected.rgba.size());
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) ASSERT_NEAR(image.rgba[i], expected.rgba[i], 1e-5) << method;
+  }
+}
+
 TEST_F(Render, CameraOfTheReportDrawsTheSamePicture) {
   const auto json = nlohmann::json::parse(render({"-o", "a.pfm", "--camera", "70,-10,1.5", "--json"}));
   render({"-o", "b.pfm", "--camera", json["settings"]["camera"].dump()});
@@ -191,8 +212,8 @@ TEST(Help, ListsTheRowsOfEveryTable) {
   const TemporaryFolder folder;
   const Outcome run = runHavs({"render", "--help"}, folder.path());
   EXPECT_EQ(run.status, 0);
-  for (const char* name :
-       {"osmesa", "egl", "kbuffer", "centroid", "topological", "3d", "post", "rainbow", ".node", "--paper"})
+  for (const char* name : {"osmesa", "egl", "kbuffer", "abuffer", "cells", "centroid", "topological", "3d", "post",
+                           "rainbow", ".node", "--paper"})
     EXPECT_THAT(run.output, HasSubstr(name));
 }
 

@@ -7,6 +7,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
 #include "render/gl/certificate_counter.h"
+#include "render/gl/drawing_steps.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
@@ -20,14 +21,6 @@ namespace {
 constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
 constexpr float kMostOpacity = 0.99999994f;
-
-ShaderOptions shaderOptions(const RenderPlan& plan) {
-  ShaderOptions options;
-  for (const ShaderDefine& define : plan.defines) options.defines[define.name] = define.value;
-  options.standsFor["lookup.glsl"] = plan.lookup.shader;
-  options.extensions = {plan.ordering};
-  return options;
-}
 
 class KBufferRenderer final : public Renderer {
  public:
@@ -122,15 +115,7 @@ class KBufferRenderer final : public Renderer {
     textures_->bind(program);
   }
 
-  /// Into the picture's rows, which go from the top down.
-  void readTile(const Tile& tile, Image& image) const {
-    const int top = image.height - tile.y - tile.height;
-    framebuffer_->readInto(image.pixel(tile.x, top), 0, tile.width, tile.height, image.width);
-    for (int low = top, high = top + tile.height - 1; low < high; ++low, --high) {
-      float* const row = image.pixel(tile.x, low);
-      std::swap_ranges(row, row + std::size_t{4} * static_cast<std::size_t>(tile.width), image.pixel(tile.x, high));
-    }
-  }
+  void readTile(const Tile& tile, Image& image) const { havs::readTile(*framebuffer_, tile, image); }
 
   RenderPlan plan_;
   std::unique_ptr<FaceSorter> sorter_;

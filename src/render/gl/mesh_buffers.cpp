@@ -16,8 +16,8 @@ struct Vertex {
 };
 
 /// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a
-/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no processor time
-/// (docs/llvmpipe.md).
+/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no processor
+/// time (docs/llvmpipe.md).
 constexpr std::size_t kFacesPerBatch = 32768;
 constexpr std::size_t kBatchesUnderWay = 2;
 
@@ -37,6 +37,8 @@ std::vector<Index> numberBoundaryCopies(const Faces& faces, std::size_t pointCou
   return copy;
 }
 
+}  // namespace
+
 std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared) {
   std::vector<std::array<float, 2>> behind(prepared.faces.size());
   parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
@@ -46,8 +48,6 @@ std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepar
   });
   return behind;
 }
-
-}  // namespace
 
 MeshBuffers::MeshBuffers(const PreparedScene& prepared)
     : faces_(prepared.faces), indices_("face indices", prepared.faces.size() * sizeof(Triangle)), array_("faces") {
@@ -99,16 +99,21 @@ void MeshBuffers::bind() const {
 
 void MeshBuffers::drawInBatches(const std::function<void(std::size_t)>& prepare) const {
   bind();
+  havs::drawInBatches(faces_.size(), [&](std::size_t first, std::size_t count) {
+    prepare(first);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(Triangle)));
+  });
+}
+
+void drawInBatches(std::size_t faces, const std::function<void(std::size_t, std::size_t)>& draw) {
   std::deque<Fence> underWay;
-  for (std::size_t first = 0; first < faces_.size(); first += kFacesPerBatch) {
+  for (std::size_t first = 0; first < faces; first += kFacesPerBatch) {
     if (underWay.size() == kBatchesUnderWay) {
       underWay.front().wait();
       underWay.pop_front();
     }
-    prepare(first);
-    const std::size_t count = std::min(kFacesPerBatch, faces_.size() - first);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(first * sizeof(Triangle)));
+    draw(first, std::min(kFacesPerBatch, faces - first));
     underWay.emplace_back();
   }
 }

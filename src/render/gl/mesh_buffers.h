@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -8,6 +9,13 @@
 #include "sort/face_order.h"
 
 namespace havs {
+
+/// Has `draw` draw all faces, so many from the first on at a time, and waits for the last but one batch: a driver keeps
+/// what waits (docs/llvmpipe.md).
+void drawInBatches(std::size_t faces, const std::function<void(std::size_t first, std::size_t count)>& draw);
+
+/// Cell data: of each face the scalars of the cells behind it as seen from its front and from its back, 0 for none.
+std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared);
 
 /// The mesh in the memory of OpenGL: its points once, its faces anew in each picture's order.
 /// Points of boundary faces are there a second time, behind all others, so that the vertex shader can tell such faces

@@ -17,6 +17,7 @@ void planABuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
 std::unique_ptr<Renderer> makeABufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                               const Progress& progress);
 
+inline constexpr const char* kFramebufferFetch = "GL_EXT_shader_framebuffer_fetch";
 void planCells(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
 std::unique_ptr<Renderer> makeCellsRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                             const Progress& progress);
