@@ -123,10 +123,11 @@ std::string describeTransfer(const RenderReport& report) {
 
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
-  const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
-  const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
+  const LookupResource* made = tableOf(lookup(scene.lookup));
+  const std::string table = made ? fmt::format(" ({}^{}, {})", scene.tableSize, made->axes, scene.tableFormat) : "";
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  const std::string k = method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";
+  const std::string k =
+      method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";
   const std::string sort = method.needsOrder ? fmt::format(", {} order", scene.sort) : "";
   const std::string kept =
       report.fragments > 0 ? fmt::format(", {} fragments in {} tiles", report.fragments, report.tiles) : "";
