@@ -58,8 +58,12 @@ FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
 // `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left,
 // so that the segment it belongs to has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not
 // full.
+FUNCTION Mask isLateBy(KBuffer kbuffer, PixelState state, Fragment f, Real tolerance) {
+  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - tolerance);
+}
+
 FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {
-  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - Real(kLateTolerance));
+  return isLateBy(kbuffer, state, f, Real(kLateTolerance));
 }
 
 // Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first.

@@ -48,6 +48,7 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["lookup"] = scene.lookup;
   json["table"] = scene.tableSize;
   json["table_format"] = scene.tableFormat;
+  json["target_format"] = scene.targetFormat;
   json["early_termination"] = scene.earlyTermination;
   json["composite_late"] = scene.compositeLate;
   json["threads"] = scene.threads;
@@ -105,9 +106,10 @@ std::string describeTransfer(const RenderReport& report) {
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
   const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
-  return fmt::format("{} of {}{}, {} order, lookup {}{}, on {} ({})", scene.visibility, report.k,
-                     wantsKSearch(scene) ? " (searched for)" : "", scene.sort, scene.lookup,
-                     table, scene.device, report.renderer);
+  const std::string targets = scene.targetFormat == Scene{}.targetFormat ? "" : ", targets " + scene.targetFormat;
+  return fmt::format("{} of {}{}, {} order, lookup {}{}{}, on {} ({})", scene.visibility, report.k,
+                     wantsKSearch(scene) ? " (searched for)" : "", scene.sort, scene.lookup, table, targets,
+                     scene.device, report.renderer);
 }
 
 bool isKnown(const std::string& visibility) {

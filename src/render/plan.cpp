@@ -70,6 +70,7 @@ void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, method.maximumK, "k");
   sortMethod(scene.sort);
+  targetFormat(scene.targetFormat);
   const Lookup& row = lookup(scene.lookup);
   if (row.table == LookupTable::table3d) {
     tableFormat(scene.tableFormat);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/lookups.h"
+#include "render/target_formats.h"
 #include "render/visibility.h"
 #include "scene/scene.h"
 
@@ -34,7 +35,8 @@ struct RenderPlan {
   int tableSize = 0;
   int k = 0;
   std::vector<ShaderDefine> defines;
-  int entryTargets = 0;   ///< RGBA32F, two k-buffer entries each, beside the colour target
+  TargetFormat targetFormat;  ///< of the k-buffer's targets
+  int entryTargets = 0;       ///< k-buffer entries, beside the colour target
   int bytesPerPixel = 0;  ///< of all targets
   int tileWidth = 0;      ///< the picture is drawn in tiles of at most this size
   int tileHeight = 0;

@@ -70,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"KText", rendering({"--k", "six"}), "--k"},
                     Refused{"KNearlyAuto", rendering({"--k", "automatic"}), "auto"},
                     Refused{"KWithMore", rendering({"--k", "6x"}), "--k"},
+                    Refused{"TargetFormat", rendering({"--target-format", "16"}), "'16f'"},
                     Refused{"TableOne", rendering({"--table", "1"}), "between 2 and 512"},
                     Refused{"TableOfAMillion", rendering({"--table", "1000000"}), "between 2 and 512"},
                     Refused{"EarlyTermination", rendering({"--early-termination", "1.5"}), "between 0 and 1"},

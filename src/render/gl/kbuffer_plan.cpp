@@ -3,12 +3,6 @@
 #include "render/gl/renderers.h"
 
 namespace havs {
-namespace {
-
-constexpr int kBytesPerTarget = 16;  // RGBA32F
-
-}  // namespace
-
 void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
   plan.k = scene.k;
   plan.entryTargets = (scene.k + 1) / 2;
@@ -16,7 +10,8 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
     failRunning("k = " + std::to_string(scene.k) + " needs " + std::to_string(1 + plan.entryTargets) +
                     " render targets, this OpenGL has " + std::to_string(capabilities.maximumDrawBuffers),
                 "", "choose a smaller k");
-  plan.bytesPerPixel = kBytesPerTarget * (1 + plan.entryTargets);
+  plan.targetFormat = targetFormat(scene.targetFormat);
+  plan.bytesPerPixel = plan.targetFormat.bytesPerTarget * (1 + plan.entryTargets);
   plan.defines.push_back({"HAVS_K", std::to_string(plan.k)});
   plan.defines.push_back({"HAVS_ENTRY_TARGETS", std::to_string(plan.entryTargets)});
   if (scene.earlyTermination > 0) plan.defines.push_back({"HAVS_EARLY_TERMINATION", "1"});

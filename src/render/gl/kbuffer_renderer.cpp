@@ -4,9 +4,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/check.h"
-#include "gl/framebuffer.h"
 #include "gl/program_cache.h"
 #include "render/gl/certificate_counter.h"
+#include "render/gl/kbuffer_targets.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
@@ -17,7 +17,6 @@
 namespace havs {
 namespace {
 
-constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
 constexpr float kMostOpacity = 0.99999994f;
 
@@ -25,6 +24,8 @@ ShaderOptions shaderOptions(const RenderPlan& plan) {
   ShaderOptions options;
   for (const ShaderDefine& define : plan.defines) options.defines[define.name] = define.value;
   options.standsFor["lookup.glsl"] = plan.lookup.shader;
+  options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
+  options.standsFor["entries.glsl"] = "entries_scalar.glsl";
   options.extensions = {plan.ordering};
   return options;
 }
@@ -70,20 +71,17 @@ class KBufferRenderer final : public Renderer {
 
  private:
   void makeTargets(int width, int height) {
-    if (framebuffer_ && framebuffer_->width() == width && framebuffer_->height() == height) return;
-    framebuffer_.reset();
-    targets_.clear();
-    for (int i = 0; i <= plan_.entryTargets; ++i)
-      targets_.push_back(
-          Texture::image2D(i == 0 ? "colour" : "k-buffer " + std::to_string(i), GL_RGBA32F, width, height));
-    framebuffer_.emplace("k-buffer", Framebuffer::Targets(targets_.begin(), targets_.end()));
+    if (targets_ && targets_->width() == width && targets_->height() == height) return;
+    targets_.reset();
+    counter_.reset();
+    targets_.emplace(plan_, width, height);
     if (plan_.certificate) counter_.emplace(width, height);
   }
 
   void drawTile(const View& view, const Tile& tile, Drawing& drawing, StageTimes& stages) {
     {
       const ScopedStage timer(stages, "draw");
-      beginTile(tile);
+      targets_->begin(tile);
       setUniforms(insert_, view, tile);
       if (counter_) counter_->begin(insert_, tile);
       mesh_->drawInBatches([&](std::size_t first) { insert_.set("firstFace", static_cast<int>(first)); });
@@ -99,17 +97,8 @@ class KBufferRenderer final : public Renderer {
     }
     checkGl("drawing");
     const ScopedStage timer(stages, "readback");
-    readTile(tile, drawing.image);
+    targets_->readInto(drawing.image, tile);
     if (counter_) counter_->addTo(*drawing.certificate, tile, drawing.image.height);
-  }
-
-  void beginTile(const Tile& tile) {
-    framebuffer_->bind();
-    glViewport(0, 0, tile.width, tile.height);
-    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(capability);
-    framebuffer_->clear(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
-    for (int i = 1; i <= plan_.entryTargets; ++i)
-      framebuffer_->clear(i, std::array{0.0f, kEmptyDistance, 0.0f, kEmptyDistance});
   }
 
   void setUniforms(const Program& program, const View& view, const Tile& tile) const {
@@ -122,16 +111,6 @@ class KBufferRenderer final : public Renderer {
     textures_->bind(program);
   }
 
-  /// Into the picture's rows, which go from the top down.
-  void readTile(const Tile& tile, Image& image) const {
-    const int top = image.height - tile.y - tile.height;
-    framebuffer_->readInto(image.pixel(tile.x, top), 0, tile.width, tile.height, image.width);
-    for (int low = top, high = top + tile.height - 1; low < high; ++low, --high) {
-      float* const row = image.pixel(tile.x, low);
-      std::swap_ranges(row, row + std::size_t{4} * static_cast<std::size_t>(tile.width), image.pixel(tile.x, high));
-    }
-  }
-
   RenderPlan plan_;
   std::unique_ptr<FaceSorter> sorter_;
   FaceOrder order_;
@@ -141,8 +120,7 @@ class KBufferRenderer final : public Renderer {
   VertexArray emptyArray_{"no vertices"};
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;
-  std::vector<Texture> targets_;
-  std::optional<Framebuffer> framebuffer_;
+  std::optional<KBufferTargets> targets_;
   std::optional<CertificateCounter> counter_;  ///< only where the plan asks for a certificate
 };
 
