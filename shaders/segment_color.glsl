@@ -7,6 +7,7 @@
 
 Rgba segmentColor(Segment segment) {
 #ifdef HAVS_CELL_DATA
+  segment.back = segment.front;
   segment.scalarBack = segment.scalarFront;
 #endif
 #ifdef HAVS_OPAQUE_SURFACES

@@ -25,3 +25,7 @@ float numberIn(uint word) { return unpackHalf2x16(word).x; }
 float storedDistance(float distance) { return roundedToHalf(clamp(distance, -kFarthest, kFarthest)); }
 uint wordOfDistance(float distance) { return distance < kEmptyLimit ? kEmptyWord : wordOf(storedDistance(distance)); }
 float distanceIn(uint word) { return word == kEmptyWord ? kEmptyDistance : numberIn(word); }
+
+// Two numbers of [0, 1] in 8 bits each; `pair` as packUnorm2x16 has them.
+uint wordOfPair(uint pair) { return packUnorm4x8(vec4(unpackUnorm2x16(pair), 0.0, 0.0)); }
+uint pairIn(uint word) { return packUnorm2x16(unpackUnorm4x8(word).xy); }

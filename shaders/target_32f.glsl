@@ -14,3 +14,7 @@ float numberIn(uint word) { return uintBitsToFloat(word); }
 uint wordOfDistance(float distance) { return floatBitsToUint(distance); }
 float distanceIn(uint word) { return uintBitsToFloat(word); }
 float storedDistance(float distance) { return distance; }
+
+// Two numbers of [0, 1] in 16 bits each, as packUnorm2x16 has them.
+uint wordOfPair(uint pair) { return pair; }
+uint pairIn(uint word) { return word; }

@@ -27,6 +27,8 @@ struct PixelState {
 
 // A stretch of the ray between two successive fragments; drawn where `visible` holds.
 struct Segment {
+  Payload front;  // what its ends carry; their scalars, where they carry one, are
+  Payload back;
   Real scalarFront;
   Real scalarBack;
   Real length;
@@ -85,6 +87,8 @@ FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
   state.inside = state.inside + kindOf(front.payload);
   state.started = select(real, Real(1.0), state.started);
   Segment segment;
+  segment.front = front.payload;
+  segment.back = back.payload;
   segment.scalarFront = scalarOf(front.payload);
   segment.scalarBack = scalarOf(back.payload);
   Real stretch = back.distance - front.distance;

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/mesh_report.h"
 #include "core/memory.h"
 #include "render/certificate_picture.h"
 #include "render/k_search.h"
 #include "render/lookups.h"
-#include "render/visibility.h"
+#include "render/order_advice.h"
 
 namespace havs {
 namespace {
@@ -112,26 +110,13 @@ std::string describeMethod(const Scene& scene, const RenderReport& report) {
                      scene.device, report.renderer);
 }
 
-bool isKnown(const std::string& visibility) {
-  const auto rows = visibilityMethods();
-  return std::any_of(rows.begin(), rows.end(), [&](const VisibilityMethod& row) { return row.name == visibility; });
-}
-
-/// What may put the fragments in order that this method could not.
-std::string betterOrder(const Scene& scene) {
-  std::string text;
-  auto add = [&](const std::string& option) { text += (text.empty() ? "" : " or ") + option; };
-  const int most = visibilityMethod(scene.visibility).maximumK;
-  if (scene.sort != "topological") add("--sort topological");
-  if (scene.k < most && !scene.kAuto) add("--k auto");
-  if (isKnown("abuffer") && scene.visibility != "abuffer") add("--visibility abuffer");
-  return text.empty() ? "" : "; try " + text;
-}
-
-std::string describeOrder(const Scene& scene, const Certificate& certificate) {
+std::string describeOrder(const Scene& scene, const RenderReport& report) {
+  const Certificate& certificate = *report.certificate;
   if (certificate.misordered == 0) return fmt::format("exact (0 of {} fragments misordered)", certificate.fragments);
+  const std::string advice = orderAdvice(scene, report.k);
   return fmt::format("wrong in {} pixels ({} of {} fragments misordered, up to {} in a pixel){}", certificate.pixels,
-                     certificate.misordered, certificate.fragments, mostMisordered(certificate), betterOrder(scene));
+                     certificate.misordered, certificate.fragments, mostMisordered(certificate),
+                     advice.empty() ? "" : "; try " + advice);
 }
 
 std::string describeTime(const StageTimes& stages) {
@@ -153,7 +138,7 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
                             report.fieldRange[1]));
   line("transfer", describeTransfer(report));
   line("method", describeMethod(scene, report));
-  if (report.certificate) line("order", describeOrder(scene, *report.certificate));
+  if (report.certificate) line("order", describeOrder(scene, report));
   line("time", describeTime(report.stages));
   line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
   for (const std::string& note : report.notes) line("note", note);

@@ -10,6 +10,8 @@ std::span<const Lookup> lookups() {
        LookupTable::table3d},
       {"post", "transfer function at both ends, trapezoid between them (post-classification)", "lookup/post.glsl",
        LookupTable::curve},
+      {"pre", "colour and extinction at the vertices, linear between them (projected tetrahedra)", "lookup/pre.glsl",
+       LookupTable::none, Payload::color},
   };
   return rows;
 }

@@ -9,8 +9,15 @@ namespace havs {
 
 /// What a lookup reads besides the segment.
 enum class LookupTable {
+  none,    ///< nothing
   curve,   ///< the transfer function itself, sampled along the scalar: colour and extinction
   table3d  ///< the pre-integrated table over (front scalar, back scalar, length)
+};
+
+/// What the fragments of a picture carry besides their distance and kind.
+enum class Payload {
+  scalar,
+  color  ///< colour and extinction, evaluated at the vertices (cell data: of the cell)
 };
 
 /// One row of the table of lookups (`--lookup`).
@@ -19,6 +26,7 @@ struct Lookup {
   std::string description;
   std::string shader;  ///< file below shaders/ that defines lookUp(Segment)
   LookupTable table;
+  Payload carries = Payload::scalar;  ///< what it needs of the fragments
 };
 std::span<const Lookup> lookups();
 /// Throws Error{input}, naming the nearest.

@@ -10,7 +10,6 @@ namespace havs {
 namespace {
 
 constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a tile
-constexpr double kMostTilePixels = 1 << 25;              // a count of each fits into a storage block of 128 MiB
 constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
 constexpr int kLargestSide = 1 << 17;
 constexpr int kSmallestTable = 2, kLargestTable = 512;
@@ -19,6 +18,10 @@ void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts,
   result.lookup = lookup(scene.lookup);
   result.needsCurveTexture = result.lookup.table == LookupTable::curve || facts.opaqueSurfaces;
   if (facts.cellData) result.defines.push_back({"HAVS_CELL_DATA", "1"});
+  if (result.lookup.carries == Payload::color) {
+    result.defines.push_back({"HAVS_COLOR_PAYLOAD", "1"});
+    return;  // opaque surfaces are scalars, which such fragments do not know
+  }
   if (facts.opaqueSurfaces) result.defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
   if (result.lookup.table != LookupTable::table3d) return;
   result.tableFormat = tableFormat(scene.tableFormat);
@@ -52,14 +55,18 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
+int entriesPerTarget(const Lookup& lookup) { return lookup.carries == Payload::color ? 1 : 2; }
+
 int largestK(const Scene& scene, const Capabilities& capabilities) {
-  return std::min(visibilityMethod(scene.visibility).maximumK, 2 * (capabilities.maximumDrawBuffers - 1));
+  const int perTarget = entriesPerTarget(lookup(scene.lookup));
+  const int mostTargets = (visibilityMethod(scene.visibility).maximumK + 1) / 2;  // at two entries each
+  return perTarget * std::min(mostTargets, capabilities.maximumDrawBuffers - 1);
 }
 
-void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
+void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities, std::size_t mostPixels) {
   plan.tileWidth = std::min(scene.width, capabilities.maximumTextureSize);
   plan.tileHeight = std::min(scene.height, capabilities.maximumTextureSize);
-  const double most = std::min(kMostTileBytes / plan.bytesPerPixel, kMostTilePixels);
+  const double most = std::min(kMostTileBytes / plan.bytesPerPixel, static_cast<double>(mostPixels));
   while (static_cast<double>(plan.tileWidth) * plan.tileHeight > most) {
     int& longer = plan.tileWidth >= plan.tileHeight ? plan.tileWidth : plan.tileHeight;
     longer = (longer + 1) / 2;
@@ -68,10 +75,14 @@ void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabi
 
 void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, method.maximumK, "k");
+  const Lookup& row = lookup(scene.lookup);
+  if (row.carries == Payload::color && !method.carriesColors)
+    failInput("fragments of the lookup '" + row.name + "' carry colours, which --visibility " + method.name +
+                  " does not take",
+              "--lookup", "use --visibility kbuffer");
+  if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
   sortMethod(scene.sort);
   targetFormat(scene.targetFormat);
-  const Lookup& row = lookup(scene.lookup);
   if (row.table == LookupTable::table3d) {
     tableFormat(scene.tableFormat);
     checkRange(scene.tableSize, kSmallestTable, kLargestTable, "the table's size");

@@ -54,12 +54,16 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
 
+/// How many k-buffer entries share a target: two that carry a scalar, one that carries a colour.
+int entriesPerTarget(const Lookup& lookup);
+
 /// The largest k that the scene's visibility method takes on a machine; 0 for a method without k.
 int largestK(const Scene& scene, const Capabilities& capabilities);
 
 /// Halves the longer side of the tile until `bytesPerPixel` of its targets fit into memory and the machine's limits:
-/// for a method's part of the plan.
-void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+/// for a method's part of the plan. `mostPixels`: a limit of the method's own.
+void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities,
+                std::size_t mostPixels = std::size_t{1} << 30);
 
 /// Throws Error{input} unless least <= value <= most.
 void checkRange(double value, double least, double most, const std::string& name);

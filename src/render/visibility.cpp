@@ -12,6 +12,7 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .extensions = {"GL_EXT_shader_framebuffer_fetch"},
        .needsOrder = true,
        .maximumK = 14,
+       .carriesColors = true,
        .plan = planKBuffer,
        .make = makeKBufferRenderer},
   };

@@ -22,6 +22,7 @@ struct VisibilityMethod {
   std::vector<std::string> extensions;  ///< any one of them is needed; empty: none
   bool needsOrder = true;               ///< faces are sorted before they are drawn (`--sort`)
   int maximumK = 0;                     ///< largest k; 0: the method knows no k
+  bool carriesColors = false;           ///< fragments may carry colours (Payload::color)
   /// Its part of the plan: targets, tiles, defines. A pure function. Throws Error like plan().
   void (*plan)(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) = nullptr;
   /// `prepared` and the current device must outlive the renderer. Stages timed: table, upload_mesh.

@@ -67,6 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"TableFormat", rendering({"--table-format", "rgba9"}), "'rgba8'"},
                     Refused{"KZero", rendering({"--k", "0"}), "between 1 and 14"},
                     Refused{"KFifteen", rendering({"--k", "15"}), "between 1 and 14"},
+                    Refused{"KEightOfColours", rendering({"--lookup", "pre", "--k", "8"}), "between 1 and 7"},
                     Refused{"KText", rendering({"--k", "six"}), "--k"},
                     Refused{"KNearlyAuto", rendering({"--k", "automatic"}), "auto"},
                     Refused{"KWithMore", rendering({"--k", "6x"}), "--k"},

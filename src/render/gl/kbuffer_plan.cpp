@@ -3,9 +3,15 @@
 #include "render/gl/renderers.h"
 
 namespace havs {
+namespace {
+
+constexpr std::size_t kMostTilePixels = std::size_t{1} << 25;  // a count of each fits into a storage block of 128 MiB
+
+}  // namespace
 void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
   plan.k = scene.k;
-  plan.entryTargets = (scene.k + 1) / 2;
+  const int perTarget = entriesPerTarget(plan.lookup);
+  plan.entryTargets = (scene.k + perTarget - 1) / perTarget;
   if (1 + plan.entryTargets > capabilities.maximumDrawBuffers)
     failRunning("k = " + std::to_string(scene.k) + " needs " + std::to_string(1 + plan.entryTargets) +
                     " render targets, this OpenGL has " + std::to_string(capabilities.maximumDrawBuffers),
@@ -17,7 +23,7 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
   if (scene.earlyTermination > 0) plan.defines.push_back({"HAVS_EARLY_TERMINATION", "1"});
   if (scene.compositeLate) plan.defines.push_back({"HAVS_COMPOSITE_LATE", "1"});
   if (scene.certificate) plan.defines.push_back({"HAVS_CERTIFICATE", "1"});
-  chooseTile(plan, scene, capabilities);
+  chooseTile(plan, scene, capabilities, kMostTilePixels);
 }
 
 }  // namespace havs

@@ -25,7 +25,9 @@ ShaderOptions shaderOptions(const RenderPlan& plan) {
   for (const ShaderDefine& define : plan.defines) options.defines[define.name] = define.value;
   options.standsFor["lookup.glsl"] = plan.lookup.shader;
   options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
-  options.standsFor["entries.glsl"] = "entries_scalar.glsl";
+  const bool colors = plan.lookup.carries == Payload::color;
+  if (colors) options.standsFor["payload.glsl"] = "payload_color.glsl";
+  options.standsFor["entries.glsl"] = colors ? "entries_color.glsl" : "entries_scalar.glsl";
   options.extensions = {plan.ordering};
   return options;
 }
@@ -34,6 +36,7 @@ class KBufferRenderer final : public Renderer {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
+        mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
         insert_(programs_.get("faces.vert", "kbuffer.frag", shaderOptions(plan))),
         flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", shaderOptions(plan))) {
@@ -42,7 +45,7 @@ class KBufferRenderer final : public Renderer {
       textures_.emplace(prepared, plan, progress);
     }
     const ScopedStage timer(stages, "upload_mesh");
-    mesh_.emplace(prepared);
+    mesh_.emplace(prepared, plan.lookup.carries);
     glFinish();
   }
 
@@ -108,10 +111,12 @@ class KBufferRenderer final : public Renderer {
     program.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
     program.set("pixelToRay", glm::vec4(pixelToRay(view, tile)));
     program.set("terminalOpacity", std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity));
+    program.set("mostExtinction", mostExtinction_);
     textures_->bind(program);
   }
 
   RenderPlan plan_;
+  float mostExtinction_;
   std::unique_ptr<FaceSorter> sorter_;
   FaceOrder order_;
   ProgramCache programs_;
