@@ -10,6 +10,7 @@ Rgba segmentColor(Segment segment) {
   segment.length = segment.visible ? segment.length : 0.0;
   segment.scalarBack = segment.visible ? segment.scalarBack : segment.scalarFront;
 #ifdef HAVS_CELL_DATA
+  segment.back = segment.front;
   segment.scalarBack = segment.scalarFront;
 #endif
 #ifdef HAVS_OPAQUE_SURFACES

@@ -98,6 +98,10 @@ std::span<const Lookup> lookups() {
        .shader = "lookup/riemann_linear.glsl",
        .resources = {"curve"},
        .parameter = "samples a segment"},
+      {.name = "pre",
+       .description = "colour and extinction at the vertices, linear between them (projected tetrahedra)",
+       .shader = "lookup/pre.glsl",
+       .carries = Payload::color},
   };
   return rows;
 }

@@ -23,6 +23,12 @@ std::span<const LookupResource> lookupResources();
 /// Throws Error{running}: rows name them, users do not.
 const LookupResource& lookupResource(const std::string& name);
 
+/// What the fragments of a picture carry besides their distance and kind.
+enum class Payload {
+  scalar,
+  color  ///< colour and extinction, evaluated at the vertices (cell data: of the cell)
+};
+
 /// One row of the table of lookups (`--lookup`).
 struct Lookup {
   std::string name;  ///< of a chosen lookup with its number: "riemann:8"
@@ -31,6 +37,7 @@ struct Lookup {
   std::vector<std::string> resources;  ///< rows of lookupResources() that the shader reads
   std::string parameter;               ///< what a number behind its name and a colon stands for; empty: takes none
   int number = 0;                      ///< that number, of a chosen lookup; HAVS_LOOKUP_NUMBER in the shader
+  Payload carries = Payload::scalar;   ///< what it needs of the fragments
 };
 /// The rows; a name ends with ":n" where a number belongs to it.
 std::span<const Lookup> lookups();

@@ -35,6 +35,10 @@ void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts,
   result.lookup = lookup(scene.lookup);
   if (result.lookup.number > 0) result.defines.push_back({"HAVS_LOOKUP_NUMBER", std::to_string(result.lookup.number)});
   if (facts.cellData) result.defines.push_back({"HAVS_CELL_DATA", "1"});
+  if (result.lookup.carries == Payload::color) {
+    result.defines.push_back({"HAVS_COLOR_PAYLOAD", "1"});
+    return;  // opaque surfaces are scalars, which such fragments do not know
+  }
   if (facts.opaqueSurfaces) result.defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
   for (const std::string& name : result.lookup.resources) addResource(result, name, scene, capabilities);
   if (facts.opaqueSurfaces)
@@ -60,7 +64,11 @@ std::string methodsWith(bool VisibilityMethod::*property) {
   return names;
 }
 
-void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method) {
+void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method, const Lookup& chosen) {
+  if (chosen.carries == Payload::color && !method.carriesColors)
+    failInput("fragments of the lookup '" + chosen.name + "' carry colours, which the visibility method " +
+                  method.name + " does not take",
+              "--lookup", "draw with --visibility " + methodsWith(&VisibilityMethod::carriesColors));
   if (scene.earlyTermination > 0 && !method.endsPixelsEarly)
     failInput("the visibility method " + method.name + " cannot end pixels early", "--early-termination",
               "leave it out, or draw with --visibility " + methodsWith(&VisibilityMethod::endsPixelsEarly));
@@ -80,8 +88,12 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
+int entriesPerTarget(const Lookup& lookup) { return lookup.carries == Payload::color ? 1 : 2; }
+
 int largestK(const Scene& scene, const Capabilities& capabilities) {
-  return std::min(visibilityMethod(scene.visibility).maximumK, 2 * (capabilities.maximumDrawBuffers - 1));
+  const int perTarget = entriesPerTarget(lookup(scene.lookup));
+  const int mostTargets = (visibilityMethod(scene.visibility).maximumK + 1) / 2;  // at two entries each
+  return perTarget * std::min(mostTargets, capabilities.maximumDrawBuffers - 1);
 }
 
 void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities, std::size_t mostPixels) {
@@ -96,10 +108,12 @@ void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabi
 
 void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, method.maximumK, "k");
-  refuseWhatTheMethodLacks(scene, method);
+  const Lookup row = lookup(scene.lookup);
+  refuseWhatTheMethodLacks(scene, method, row);
+  if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
   sortMethod(scene.sort);
-  if (const LookupResource* table = tableOf(lookup(scene.lookup))) {
+  targetFormat(scene.targetFormat);
+  if (const LookupResource* table = tableOf(row)) {
     tableFormat(scene.tableFormat);
     checkRange(scene.tableSize, kSmallestTable, table->largestSize, "the table's size");
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/lookups.h"
+#include "render/target_formats.h"
 #include "render/visibility.h"
 #include "scene/scene.h"
 
@@ -37,7 +38,8 @@ struct RenderPlan {
   int tableSize = 0;
   int k = 0;
   std::vector<ShaderDefine> defines;
-  int entryTargets = 0;           ///< RGBA32F, two k-buffer entries each, beside the colour target
+  TargetFormat targetFormat;      ///< of the k-buffer's targets
+  int entryTargets = 0;           ///< k-buffer entries, beside the colour target
   int bytesPerPixel = 0;          ///< of all targets
   std::size_t mostFragments = 0;  ///< a-buffer: stored at once
   int tileWidth = 0;              ///< the picture is drawn in tiles of at most this size
@@ -54,6 +56,9 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
+
+/// How many k-buffer entries share a target: two that carry a scalar, one that carries a colour.
+int entriesPerTarget(const Lookup& lookup);
 
 /// The largest k that the scene's visibility method takes on a machine; 0 for a method without k.
 int largestK(const Scene& scene, const Capabilities& capabilities);

@@ -13,6 +13,7 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .needsOrder = true,
        .maximumK = 14,
        .dropsLateFragments = true,
+       .carriesColors = true,
        .plan = planKBuffer,
        .make = makeKBufferRenderer},
       {.name = "abuffer",

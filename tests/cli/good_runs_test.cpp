@@ -43,7 +43,7 @@ TEST_F(Render, JsonHoldsEveryKey) {
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
-                                            "k_auto", "sort", "lookup", "table", "table_format", "early_termination",
+                                            "k_auto", "sort", "lookup", "table", "table_format", "target_format", "early_termination",
                                             "composite_late", "threads", "repeat"));
 }
 

@@ -99,12 +99,13 @@ TEST_P(KBufferClosedForm, ConstantBoxWithEveryLookup) {
   for (const VisibilityMethod& method : visibilityMethods())
     for (const Lookup& row : lookups())
       for (auto projection : {Projection::perspective, Projection::orthographic})
-        for (int k : {1, 2, 6, method.maximumK}) {
+        for (int k : {1, 2, 6, 14}) {
           Scene scene = smallScene(transfer.path());
           scene.visibility = method.name;
+          if (row.carries == Payload::color && !method.carriesColors) continue;
           scene.lookup = exampleName(row);
           scene.camera.projection = projection;
-          scene.k = k;
+          scene.k = std::min(k, largestK(scene, {}));
           const Drawing drawing = draw(*device_, scene, constantBox());
           EXPECT_LE(againstBox(drawing).maximum, lookupBound(drawing, scene)) << row.name << ", k " << k;
         }

@@ -49,18 +49,44 @@ std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepar
   return behind;
 }
 
-MeshBuffers::MeshBuffers(const PreparedScene& prepared)
+namespace {
+
+using ColorAndExtinction = std::array<float, 4>;
+
+/// At a normalised scalar; extinction as a fraction of the largest of the transfer function.
+ColorAndExtinction colorAt(const ExtinctionCurve& curve, double scalar) {
+  const ExtinctionCurve::Knot knot = curve.at(scalar);
+  const double fraction = curve.maximumKappa > 0 ? knot.kappa / curve.maximumKappa : 0.0;
+  return {static_cast<float>(knot.color[0]), static_cast<float>(knot.color[1]), static_cast<float>(knot.color[2]),
+          static_cast<float>(fraction)};
+}
+
+std::vector<std::array<ColorAndExtinction, 2>> colorsBehindFaces(const PreparedScene& prepared) {
+  std::vector<std::array<ColorAndExtinction, 2>> behind(prepared.faces.size());
+  parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
+    const auto [in, out] = prepared.faces.cells[f];
+    behind[f] = {colorAt(prepared.curve, prepared.scalars[in]),
+                 out == kNoIndex ? ColorAndExtinction{} : colorAt(prepared.curve, prepared.scalars[out])};
+  });
+  return behind;
+}
+
+}  // namespace
+
+MeshBuffers::MeshBuffers(const PreparedScene& prepared, Payload carries)
     : faces_(prepared.faces), indices_("face indices", prepared.faces.size() * sizeof(Triangle)), array_("faces") {
-  uploadVertices(prepared);
+  uploadVertices(prepared, carries);
   array_.attribute(0, *vertices_, 4, GL_FLOAT, sizeof(Vertex));
+  if (colors_) array_.attribute(1, *colors_, 4, GL_FLOAT, sizeof(ColorAndExtinction));
   array_.elements(indices_);
   if (prepared.facts().cellData) {
-    cellScalars_ = Buffer::of("scalars behind faces", scalarsBehindFaces(prepared));
+    cellScalars_ = carries == Payload::color ? Buffer::of("colours behind faces", colorsBehindFaces(prepared))
+                                             : Buffer::of("scalars behind faces", scalarsBehindFaces(prepared));
     order_.emplace("face order", prepared.faces.size() * sizeof(Index));
   }
 }
 
-void MeshBuffers::uploadVertices(const PreparedScene& prepared) {
+void MeshBuffers::uploadVertices(const PreparedScene& prepared, Payload carries) {
   const bool pointData = !prepared.facts().cellData;
   const std::size_t pointCount = prepared.points.size();
   std::vector<Index> copied;
@@ -75,6 +101,12 @@ void MeshBuffers::uploadVertices(const PreparedScene& prepared) {
                    pointData ? static_cast<float>(prepared.scalars[p]) : 0.0f};
   });
   vertices_ = Buffer::of("points", vertices);
+  if (carries != Payload::color || !pointData) return;
+  std::vector<ColorAndExtinction> colors(vertices.size());
+  parallelFor(0, colors.size(), 4096, [&](std::size_t i) {
+    colors[i] = colorAt(prepared.curve, prepared.scalars[i < pointCount ? i : copied[i - pointCount]]);
+  });
+  colors_ = Buffer::of("colours of points", colors);
 }
 
 void MeshBuffers::setOrder(const FaceOrder& order) {

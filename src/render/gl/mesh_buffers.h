@@ -5,6 +5,7 @@
 
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
+#include "render/lookups.h"
 #include "scene/prepared_scene.h"
 #include "sort/face_order.h"
 
@@ -22,7 +23,8 @@ std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepar
 /// by their vertex numbers.
 class MeshBuffers {
  public:
-  explicit MeshBuffers(const PreparedScene& prepared);
+  /// `carries`: what fragments are to carry, a colour besides or instead of the scalar.
+  explicit MeshBuffers(const PreparedScene& prepared, Payload carries = Payload::scalar);
 
   /// Writes the indices of the faces in `order`, in parallel.
   void setOrder(const FaceOrder& order);
@@ -35,14 +37,15 @@ class MeshBuffers {
 
  private:
   void bind() const;
-  void uploadVertices(const PreparedScene& prepared);
+  void uploadVertices(const PreparedScene& prepared, Payload carries);
 
   const Faces& faces_;
   std::vector<Index> boundaryCopy_;  ///< of each point; kNoIndex where it has none
   int firstBoundaryVertex_ = 0;
   std::optional<Buffer> vertices_;
   Buffer indices_;
-  std::optional<Buffer> cellScalars_;  ///< cell data: behind each face, seen from its front and from its back
+  std::optional<Buffer> colors_;       ///< of points, where fragments carry them
+  std::optional<Buffer> cellScalars_;  ///< cell data: behind each face, seen from its front and from its back (colours)
   std::optional<Buffer> order_;        ///< cell data: the face that each primitive is
   VertexArray array_;
 };
