@@ -141,6 +141,8 @@ class Panel {
     pen_.text(kLeft, area_.top - 14, "error, 99.9th percentile");
     pen_.text(area_.left + area_.width, area_.top + area_.height + 40, "wall time of a frame, milliseconds",
               Align::right);
+    pen_.colour(kMuted);
+    pen_.text(area_.left + area_.width, area_.top - 14, "blue: on the front; grey: other runs", Align::right);
     for (const double tick : x_.ticks) {
       const double x = area_.left + area_.width * x_.at(tick);
       pen_.colour(kGrid);
@@ -202,7 +204,7 @@ class Panel {
     for (const FrontPoint& point : panel_.points) {
       std::string name = point.onFront ? fmt::format("{}", ++number) : "";
       if (isSpecial(point))
-        name += (name.empty() ? "" : " ") + std::string(point.kind == "paper" ? "the paper's choice" : "default");
+        name += (name.empty() ? "" : " ") + std::string(point.kind == "paper" ? "paper" : "default");
       if (name.empty()) continue;
       pen_.bold(true);
       const Box place = placeFor(pen_.widthOf(name), point, taken);

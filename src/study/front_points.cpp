@@ -29,12 +29,18 @@ FrontPoint pointOf(const Json& run) {
           textIn(run, "label"), on.is_boolean() && on.get<bool>()};
 }
 
+/// Times of pictures of another size do not compare.
+bool isOfSize(const Json& run, const Json& subject) {
+  const Json settings = run.value("settings", Json::object());
+  return !settings.contains("size") || !subject.contains("size") || settings["size"] == subject["size"];
+}
+
 FrontPanel panelOf(const Json& subject, const Json& runs) {
   const std::string field = textIn(subject, "field"), curve = textIn(subject, "transfer_function");
   FrontPanel panel{textIn(subject, "mesh") + (field.empty() ? "" : ", " + field) + (curve.empty() ? "" : ", " + curve),
                    {}};
   for (const Json& run : runs) {
-    if (textIn(run, "subject") != textIn(subject, "id")) continue;
+    if (textIn(run, "subject") != textIn(subject, "id") || !isOfSize(run, subject)) continue;
     const FrontPoint point = pointOf(run);
     if (std::isfinite(point.time) && point.time > 0 && std::isfinite(point.error) && point.error >= 0)
       panel.points.push_back(point);

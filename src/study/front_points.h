@@ -18,7 +18,8 @@ struct FrontPanel {
   std::vector<FrontPoint> points;  ///< runs that were measured, those of the front last and fastest first
 };
 
-/// One panel for each subject of a study. Runs that failed or lack a measure are left out.
+/// One panel for each subject of a study. Runs that failed, lack a measure or drew a picture of another
+/// size are left out.
 std::vector<FrontPanel> frontPanels(const nlohmann::json& study);
 
 /// A logarithmic axis.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -46,7 +47,7 @@ struct Maker {
             {"table", 128},
             {"table_format", "rgba32f"},
             {"target_format", "rgba32f"},
-            {"early_termination", 0.0},
+            {"early_termination", 0},
             {"composite_late", false},
             {"size", {512, 512}}};
   }
@@ -122,7 +123,9 @@ struct Maker {
                                                   : value.dump();
       std::string place = axis + "=" + text;
       if (axis == "table") place = base["lookup"].get<std::string>() + "," + place;
-      if (base != settings()) add(place, "axis", base, axis, text);
+      std::string name = axis;
+      std::replace(name.begin(), name.end(), '_', '-');
+      if (base != settings()) add(place, "axis", base, name, text);
     }
   }
 };
@@ -219,6 +222,7 @@ Json writeStudyFixture(const fs::path& folder) {
              {"subjects", Json::array()},
              {"runs", Json::array()},
              {"fits", Json::array()},
+             {"skipped", {"tables of 512: 2 GiB are more than the memory left"}},
              {"effects", Json::array()}};
   const auto axis = [](const char* name, const char* title, std::vector<std::string> values, const char* baseline,
                        bool ordered) {
@@ -229,8 +233,8 @@ Json writeStudyFixture(const fs::path& folder) {
       axis("sort", "Order in which faces are drawn", {"centroid", "topological"}, "topological", false),
       axis("lookup", "How a segment's colour is found", {"post", "2d", "3d", "exact"}, "3d", false),
       axis("table", "Entries along each side of the table", {"16", "32", "64", "128"}, "128", true),
-      axis("table_format", "Numbers of the table", {"rgba8", "rgba16", "rgba32f"}, "rgba32f", false),
-      axis("early_termination", "Opacity at which a pixel is done (0: never)", {"0.0", "0.9", "0.99"}, "0.0", true),
+      axis("table-format", "Numbers of the table", {"rgba8", "rgba16", "rgba32f"}, "rgba32f", false),
+      axis("early-termination", "Opacity at which a pixel is done (0: never)", {"0", "0.9", "0.99"}, "0", true),
       axis("size", "Pixels along the longer side", {"256", "512", "1024"}, "512", true)};
   for (const Subject& subject : {Subject{"bracket-0", "bracket.vtu", 45, 0}, Subject{"fin-0", "fin.vtu", 130, 2}}) {
     const std::string reference = "images/" + subject.id + "-reference.png";

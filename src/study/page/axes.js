@@ -19,7 +19,8 @@ function axisSection(subject, axis, view, pick) {
     heading.after(make("div", {class: "pair"},
       make("div", {}, make("h4", {}, `Error (${kMeasures[view.measure].title})`), errors), make("div", {}, make("h4", {}, "Time of a frame, milliseconds"), times)));
     section.draw = () => Promise.all([
-      showPlot(errors, axisErrorSpec(measured, axis, values, series, view), pick), showPlot(times, axisTimeSpec(measured, axis, values, series), pick)]);
+      showPlot(errors, width => axisErrorSpec(measured, axis, values, series, view, width), pick),
+      showPlot(times, width => axisTimeSpec(measured, axis, values, series, width), pick)]);
   }
   return section;
 }
@@ -27,8 +28,6 @@ function axisSection(subject, axis, view, pick) {
 const axisScale = values => ({name: "x", type: "point", domain: values, range: "width", padding: .4});
 const axisAxis = axis => ({orient: "bottom", scale: "x", title: settingName(axis.name), labelOverlap: true, labelPadding: 4});
 const seriesColour = names => ({name: "colour", type: "ordinal", domain: names, range: kColours});
-const seriesLegend = names => names.length > 1
-  ? [{fill: "colour", orient: "top", direction: "horizontal", columns: {signal: "max(1, floor(width / 150))"}, symbolType: "circle", offset: 8}] : [];
 
 // Lines through the points of each series, and a mark for each run. On it, a run's id shows the tip.
 const linesAndPoints = y => [
@@ -40,18 +39,18 @@ const linesAndPoints = y => [
     update: {strokeWidth: {value: .8}}, hover: {strokeWidth: {value: 2.5}}}},
 ];
 
-function axisErrorSpec(runs, axis, values, series, view) {
+function axisErrorSpec(runs, axis, values, series, view, width) {
   const shown = runs.filter(run => run.error[view.measure] != null);
   const range = errorRange(shown.map(run => run.error[view.measure]));
   const rows = shown.map(run => ({id: run.id, value: run.value, series: series(run), y: range.place(run.error[view.measure]),
     shape: run.error[view.measure] === 0 ? "triangle-down" : "circle", words: `${run.value}: ${errorText(run.error[view.measure])}`}));
   const names = [...new Set(rows.map(row => row.series))];
   return {height: 190, data: [{name: "runs", values: rows}], scales: [axisScale(values), errorScale(range), seriesColour(names)],
-          axes: [axisAxis(axis), errorAxis(range, null)], legends: seriesLegend(names), marks: linesAndPoints("y")};
+          axes: [axisAxis(axis), errorAxis(range, null)], legends: seriesLegend(names, width), marks: linesAndPoints("y")};
 }
 
 // Wall time by series; where there is one series only, processor time beside it. Bars reach from the least to the most.
-function axisTimeSpec(runs, axis, values, series) {
+function axisTimeSpec(runs, axis, values, series, width) {
   const single = new Set(runs.map(series)).size === 1;
   const rows = (single ? Object.keys(kTimes) : ["frame_wall_ms"]).flatMap(time => runs.filter(run => run[time]?.median != null).map(run => ({
     id: run.id, value: run.value, series: single ? kTimes[time].short : series(run), y: run[time].median, shape: "circle",
@@ -59,7 +58,7 @@ function axisTimeSpec(runs, axis, values, series) {
   const names = [...new Set(rows.map(row => row.series))];
   return {height: 190, data: [{name: "runs", values: rows}],
     scales: [axisScale(values), {name: "y", type: "linear", domain: [0, Math.max(...rows.map(row => row.most)) * 1.05 || 1], range: "height", nice: true, zero: true}, seriesColour(names)],
-    axes: [axisAxis(axis), {orient: "left", scale: "y", grid: true, domain: false, ticks: false, tickCount: 5, labelPadding: 6}], legends: seriesLegend(names),
+    axes: [axisAxis(axis), {orient: "left", scale: "y", grid: true, domain: false, ticks: false, tickCount: 5, labelPadding: 6}], legends: seriesLegend(names, width),
     marks: [{type: "rule", from: {data: "runs"}, interactive: false, encode: {enter: {x: {scale: "x", field: "value"}, y: {scale: "y", field: "least"}, y2: {scale: "y", field: "most"},
              stroke: {scale: "colour", field: "series"}, strokeWidth: {value: 4}, strokeOpacity: {value: .35}, aria: {value: false}}}}, ...linesAndPoints("y")]};
 }

@@ -11,12 +11,12 @@ function fitSections(subject) {
     const place = make("div", {class: "plot"});
     const measure = kMeasures[fits[0].measure]?.title ?? fits[0].measure;
     const section = make("div", {class: "fit"}, make("h4", {}, `${settingName(fits[0].axis)}, ${measure}`), place);
-    section.draw = () => showPlot(place, fitSpec(fits, measure));
+    section.draw = () => showPlot(place, width => fitSpec(fits, measure, width));
     return section;
   });
 }
 
-const fitName = fit => `${fit.lookup ?? settingName(fit.axis)}: ${fit.slope == null ? "no order found" : fit.slope.toFixed(2)}`;
+const fitName = fit => `${fit.lookup ?? settingName(fit.axis)}: ${fit.slope == null ? "no order found" : "slope " + fit.slope.toFixed(2).replace("-", "−")}`;
 const inFit = (fit, size) => fit.used != null && size >= fit.used[0] && size <= fit.used[1];
 
 // The line: the slope given, through the middle of the points that it was fitted to.
@@ -29,7 +29,7 @@ function fittedLine(fit) {
   return [Math.min(...sizes), Math.max(...sizes)].map(size => ({x: size, y: Math.exp(y + fit.slope * (Math.log(size) - x)), name: fitName(fit)}));
 }
 
-function fitSpec(fits, measure) {
+function fitSpec(fits, measure, width) {
   const points = fits.flatMap(fit => fit.points.map(([x, error]) => ({x, error, used: inFit(fit, x), name: fitName(fit)})));
   const range = errorRange(points.map(point => point.error));
   const rows = points.map(point => ({...point, y: range.place(point.error), shape: point.error === 0 ? "triangle-down" : "circle"}));
@@ -41,7 +41,7 @@ function fitSpec(fits, measure) {
     data: [{name: "points", values: rows}, {name: "lines", values: fits.flatMap(fittedLine)}],
     scales: [{name: "x", type: "log", domain, range: "width", zero: false, nice: false}, errorScale(range), seriesColour(fits.map(fitName))],
     axes: [{orient: "bottom", scale: "x", title: settingName(fits[0].axis), values: [...new Set(sizes)].sort((a, b) => a - b), format: "~r", labelOverlap: true, labelPadding: 4}, errorAxis(range, `error, ${measure}`)],
-    legends: [{fill: "colour", orient: "top", direction: "horizontal", columns: {signal: "max(1, floor(width / 150))"}, symbolType: "circle", offset: 8, title: "order", titleOrient: "left"}],
+    legends: [legendFor(fits.map(fitName), width)],
     marks: [
       {type: "group", from: {facet: {name: "line", data: "lines", groupby: "name"}}, marks: [
         {type: "line", from: {data: "line"}, encode: {enter: {...at, stroke: {scale: "colour", field: "name"}, strokeWidth: {value: 1.6}}}}]},

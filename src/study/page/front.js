@@ -13,7 +13,7 @@ function frontRows(subject, view, front) {
     return {
       id: run.id, x: timeOf(run, view.time), y: range.place(error), group: groups.indexOf(groupOf(run, view)) < 7 ? groupOf(run, view) : "others",
       shape, size: special ? 150 : 75, onFront: place >= 0, comparable: sameSize(run, subject),
-      text: [place >= 0 ? String(place + 1) : "", run.kind === "paper" ? kKinds.paper : run.kind === "baseline" ? kKinds.baseline : ""].filter(Boolean).join(" "),
+      text: [place >= 0 ? String(place + 1) : "", special ? run.kind.replace("baseline", "default") : ""].filter(Boolean).join(" "),
       words: `${run.label}: ${timeText(timeOf(run, view.time))} ms, error ${errorText(error)}`,
     };
   });
@@ -22,11 +22,12 @@ function frontRows(subject, view, front) {
 
 const groupOf = (run, view) => view.colour === "kind" ? kKinds[run.kind] ?? run.kind : settingText(run.settings?.[view.colour]);
 
-function frontSpec(subject, view) {
+function frontSpec(subject, view, width) {
   const front = frontOf(subject, view.measure, view.time);
   const {rows, range} = frontRows(subject, view, front);
   const times = rows.map(row => row.x);
   const domain = times.length ? [Math.min(...times) / 1.15, Math.max(...times) * 1.15] : [1, 10];
+  const colours = [...new Set(rows.map(row => row.group))].sort((a, b) => a.localeCompare(b, "en", {numeric: true}));
   const steps = front.map(run => ({x: timeOf(run, view.time), y: range.place(run.error[view.measure])}));
   if (steps.length) steps.unshift({x: steps[0].x, y: range.domain[1]});
   if (steps.length) steps.push({x: domain[1], y: steps.at(-1).y});
@@ -37,14 +38,13 @@ function frontSpec(subject, view) {
     signals: [{name: "picked", value: view.run ?? null}],
     scales: [
       {name: "x", type: "log", domain, range: "width", zero: false, nice: false}, errorScale(range),
-      {name: "colour", type: "ordinal", domain: [...new Set(rows.map(row => row.group))].sort((a, b) => a.localeCompare(b, "en", {numeric: true})), range: kColours},
+      {name: "colour", type: "ordinal", domain: colours, range: kColours},
     ],
     axes: [
       {orient: "bottom", scale: "x", grid: true, values: logTicks(...domain, 7), title: `${kTimes[view.time].title}, milliseconds`, format: "~r", labelOverlap: true, labelPadding: 4},
       errorAxis(range, `error, ${kMeasures[view.measure].title}`),
     ],
-    legends: [{fill: "colour", orient: "top", direction: "horizontal", columns: {signal: "max(1, floor(width / 170))"}, symbolType: "circle", symbolSize: 75,
-               title: view.colour === "kind" ? "run" : settingName(view.colour), titleOrient: "left", offset: 14, columnPadding: 14}],
+    legends: [legendFor(colours, width)],
     marks: [
       {type: "line", from: {data: "steps"}, interactive: false, encode: {enter: {...at, interpolate: {value: "step-after"}, stroke: {value: "var(--accent)"}, strokeWidth: {value: 1.6}, strokeOpacity: {value: .8}}}},
       {type: "symbol", name: "points", from: {data: "runs"}, encode: {
@@ -67,7 +67,6 @@ function frontNotes(subject, view) {
   const count = (some, one, many) => some.length ? `${some.length} ${some.length === 1 ? one : many}` : null;
   const failed = count(runs.filter(run => run.failed != null), "run failed and is listed below", "runs failed and are listed below");
   return [
-    kMeasures[view.measure].means,
     "Numbers name the runs on the front, as in the table; a square is the default, a diamond the paper's choice.",
     count(measured.filter(run => run.error[view.measure] === 0), "run has an error of exactly 0: the triangle at the bottom, where a logarithmic axis has no place for it.", "runs have an error of exactly 0: the triangles at the bottom, where a logarithmic axis has no place for them."),
     count(measured.filter(run => !sameSize(run, subject)), "run drew a picture of another size (pale): its time does not compare.", "runs drew pictures of another size (pale): their times do not compare."),

@@ -3,7 +3,7 @@
 const vegaTransforms = ["vega-transforms", "vega-view-transforms", "vega-encode", "vega-label"];
 Object.assign(vega["vega-dataflow"].transforms, ...vegaTransforms.map(name => vega[name]));
 
-const view = {subject: subjects[0], measure: "p999", time: "frame_wall_ms", colour: "kind", run: null};
+const view = {subject: subjects[0], measure: "p999", time: "frame_wall_ms", colour: "lookup", run: null};
 const meshName = subject => subject.mesh?.split("/").at(-1) ?? subject.id;
 
 function subjectTitle(subject) {
@@ -58,11 +58,12 @@ function showChoices() {
 }
 
 async function showFront() {
+  byId("measure-note").textContent = kMeasures[view.measure].means;
   byId("front-note").textContent = frontNotes(view.subject, view);
   byId("front-table").replaceChildren(runTable(frontOf(view.subject, view.measure, view.time),
-    [{title: "", of: (run, i) => i + 1}, {title: "run", of: run => run.label}], pickIn(byId("front-slot"))));
+    [{title: "", of: (run, i) => i + 1}, {title: "run", of: run => run.label, long: true}], pickIn(byId("front-slot"))));
   markChosen();
-  await showPlot(byId("front-plot"), frontSpec(view.subject, view), pickIn(byId("front-slot")));
+  await showPlot(byId("front-plot"), width => frontSpec(view.subject, view, width), pickIn(byId("front-slot")));
 }
 
 // Picks a run and shows it in the slot of the section where it was picked.
@@ -73,7 +74,7 @@ const pickIn = slot => id => {
   byId("run")?.remove();
   slot.append(runPanel(run, view.subject));
   markChosen();
-  shownPlots.get(byId("front-plot"))?.signal("picked", id).runAsync();
+  shownPlots.get(byId("front-plot"))?.view.signal("picked", id).runAsync();
 };
 
 function markChosen() {
@@ -102,13 +103,15 @@ async function showSubject() {
   fill(byId("fits"), "Order of accuracy", ...(fits.length ? [make("p", {},
     "How fast the error falls as a table is refined: the slope of the line through the filled points, on logarithmic axes. −2 means that twice the size leaves a quarter of the error. Hollow points were not used: there other errors dominate, or the order has not set in yet."),
     make("div", {class: "pair"}, fits)] : []));
-  fill(byId("failed"), "Runs that failed", ...(failed.length ? [make("div", {class: "wide"}, make("table", {},
+  const skipped = study.skipped ?? [];
+  const skippedList = skipped.length ? [make("p", {}, "Left out of the study:"), make("ul", {}, skipped.map(text => make("li", {}, text)))] : [];
+  fill(byId("failed"), failed.length ? "Runs that failed" : "What was left out", ...skippedList, ...(failed.length ? [make("div", {class: "wide"}, make("table", {},
     make("thead", {}, make("tr", {}, make("th", {class: "text", scope: "col"}, "run"), make("th", {class: "text", scope: "col"}, "reason"))),
     make("tbody", {}, failed.map(run => make("tr", {}, make("td", {class: "text"}, run.label), make("td", {class: "prose"}, run.failed))))))] : []));
   const slot = make("div", {class: "slot"});
   fill(byId("all"), null, make("details", {}, make("summary", {}, `All ${runs.length} runs`), allRunsTable(runs, pickIn(slot)), slot));
   shown.push(showFront(), ...axes.map(section => section.draw?.()), ...fits.map(section => section.draw()));
-  const first = view.run ?? (frontOf(subject, view.measure, view.time).at(-1) ?? runs[0])?.id;
+  const first = view.run ?? (runs.find(run => run.kind === "baseline" && isMeasured(run)) ?? runs.find(isMeasured) ?? runs[0])?.id;
   pickIn(byId("front-slot"))(first);
   await Promise.all(shown);
 }
@@ -124,7 +127,7 @@ byId("front-plot").addEventListener("keydown", event => {
 });
 
 async function saveFront(kind) {
-  const plot = shownPlots.get(byId("front-plot"));
+  const plot = shownPlots.get(byId("front-plot")).view;
   const name = `front-${view.subject.id}-${view.measure}.${kind}`;
   const svg = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(await plotAsSvg(plot));
   if (kind === "svg") return saveAs(name, svg);
@@ -143,7 +146,7 @@ function showEnd() {
   if (machine.length) byId("machine").append(make("h2", {}, "Machine and versions"), definitions(machine));
   const held = [...document.querySelectorAll("script[data-picture]")];
   const bytes = held.reduce((sum, script) => sum + script.textContent.length * 3 / 4, 0);
-  byId("foot").append(make("p", {}, `This page is one file: ${held.length} pictures (${bytesText(bytes)}) and the plots, drawn by Vega 5, are in it; it loads nothing. The numbers are in study.json and runs.csv beside it.`));
+  byId("foot").append(make("p", {}, `This page is one file: ${held.length} pictures (${bytesText(bytes)}) and the plots, drawn by Vega 5, are in it; it loads nothing. The numbers are in study.json and study.csv beside it.`));
 }
 
 showHead();

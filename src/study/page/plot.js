@@ -46,19 +46,29 @@ const errorAxis = (range, title) => ({
   encode: {labels: {update: {text: {signal: `datum.value === ${range.zero} ? '0' : format(datum.value, '~e')`}}}},
 });
 
+// The colours' legend above a plot of this width: as many columns as its longest name lets it have.
+function legendFor(names, width) {
+  const longest = Math.max(...names.map(name => name.length), 1);
+  return {fill: "colour", orient: "top", direction: "horizontal", columns: Math.max(1, Math.floor((width - 70) / (34 + 6.6 * longest))),
+          symbolType: "circle", symbolSize: 75, offset: 12, columnPadding: 14};
+}
+const seriesLegend = (names, width) => names.length > 1 ? [legendFor(names, width)] : [];
+
 function makeView(spec) {
   const parts = vega["vega-parser"].parse({autosize: {type: "fit-x", contains: "padding"}, padding: 2, ...spec}, kConfig, {ast: true});
   return new vega["vega-view"].View(parts, {renderer: "svg", expr: vega["vega-interpreter"].expressionInterpreter, logLevel: 1});
 }
 
-const shownPlots = new Map();  // place -> its view
+const shownPlots = new Map();  // place -> {view, width, again}
 
-// Draws a plot into its place and keeps it as wide as that. Hovered marks with a run's id show the tip, clicked ones are picked.
-async function showPlot(place, spec, pick) {
-  shownPlots.get(place)?.finalize();
+// Draws a plot into its place, as wide as that: makeSpec(width) gives its specification. Hovered marks with a run's id show the
+// tip, clicked ones are picked.
+async function showPlot(place, makeSpec, pick) {
+  const width = Math.max(200, place.clientWidth);
+  shownPlots.get(place)?.view.finalize();
   place.replaceChildren();
-  const view = makeView({...spec, width: Math.max(200, place.clientWidth)});
-  shownPlots.set(place, view);
+  const view = makeView({...makeSpec(width), width});
+  shownPlots.set(place, {view, width, again: () => showPlot(place, makeSpec, pick)});
   view.tooltip((handler, event, item, id) => showTip(event, id));
   if (pick) view.addEventListener("click", (event, item) => item?.datum?.id && pick(item.datum.id));
   await view.initialize(place).hover().runAsync();
@@ -66,11 +76,11 @@ async function showPlot(place, spec, pick) {
 }
 
 function forgetPlots(within) {
-  for (const [place, view] of shownPlots)
+  for (const [place, {view}] of shownPlots)
     if (within.contains(place)) { view.finalize(); shownPlots.delete(place); }
 }
 
-const refit = () => shownPlots.forEach((view, place) => place.clientWidth && view.width(Math.max(200, place.clientWidth)).runAsync());
+const refit = () => shownPlots.forEach((plot, place) => place.clientWidth && Math.max(200, place.clientWidth) !== plot.width && plot.again());
 let refitSoon = 0;
 addEventListener("resize", () => { clearTimeout(refitSoon); refitSoon = setTimeout(refit, 80); });
 

@@ -29,12 +29,16 @@ function timeRows(run) {
 function runPanel(run, subject) {
   const settings = Object.entries(run.settings ?? {}).map(([key, value]) => [settingName(key), settingText(value)]);
   const panel = make("div", {class: "run", id: "run", "data-run": run.id, "aria-live": "polite"}, make("h3", {}, run.label, tagOf(run)));
-  if (run.failed != null) panel.append(make("p", {class: "notice"}, "This run failed: " + run.failed));
+  if (!isMeasured(run)) panel.append(make("p", {class: "notice"}, run.failed != null ? "This run failed: " + run.failed : "This run has not been measured yet."));
   else panel.append(make("div", {class: "pictures"},
     figure(pictureOf(run.image), "This run.", "image"),
     figure(sameSize(run, subject) ? pictureOf(subject.reference?.image) : null, sameSize(run, subject) ? "The reference." : "The reference of this size was not kept.", "reference"),
     figure(pictureOf(run.difference), "Their difference, on the scale of its colour bar.", "difference")));
-  panel.append(make("div", {class: "columns"}, run.failed == null ? [definitions(measureRows(run)), definitions(timeRows(run))] : [], definitions(settings)));
+  if (isMeasured(run)) panel.append(make("p", {class: "tools"}, make("button", {type: "button", "aria-pressed": "false", click: event => {
+    const whole = panel.querySelector(".pictures").classList.toggle("whole");
+    event.target.setAttribute("aria-pressed", whole);
+  }}, "Pictures pixel by pixel")));
+  panel.append(make("div", {class: "columns"}, isMeasured(run) ? [definitions(measureRows(run)), definitions(timeRows(run))] : [], definitions(settings)));
   return panel;
 }
 

@@ -8,7 +8,7 @@ const kColumns = [
   {name: "wall", title: "wall ms", of: run => run.frame_wall_ms?.median, spread: run => run.frame_wall_ms, text: timeText},
   {name: "cpu", title: "CPU ms", of: run => run.frame_cpu_ms?.median, spread: run => run.frame_cpu_ms, text: timeText},
   {name: "table", title: "table ms", of: run => run.table_ms, text: timeText},
-  {name: "bytes", title: "bytes a pixel", of: run => run.bytes_per_pixel, text: countText},
+  {name: "bytes", title: "bytes/px", of: run => run.bytes_per_pixel, text: countText},
   {name: "misordered", title: "misordered", of: run => run.certificate?.misordered, text: (value, run) => certificateText(run.certificate)},
 ];
 
@@ -25,8 +25,9 @@ function runTable(runs, lead, pick, order) {
   const head = column => make("th", {scope: "col", "aria-sort": order?.by === column.name ? (order.down ? "descending" : "ascending") : null},
                               order ? make("button", {type: "button", click: () => order.change(column.name)}, column.title) : column.title);
   const rows = runs.map((run, i) => make("tr", {"data-run": run.id, click: () => pick(run.id)},
-    lead.map((column, c) => make("td", {class: "text"}, c === 0 ? make("button", {type: "button"}, String(column.of(run, i))) : column.of(run, i), c === lead.length - 1 ? tagOf(run) : null)),
-    run.failed == null ? kColumns.map(column => cell(column, run)) : make("td", {class: "prose", colspan: kColumns.length}, "failed: " + run.failed)));
+    lead.map((column, c) => make("td", {class: column.long ? "prose" : "text"}, c === 0 ? make("button", {type: "button"}, String(column.of(run, i))) : column.of(run, i), c === lead.length - 1 ? tagOf(run) : null)),
+    isMeasured(run) ? kColumns.map(column => cell(column, run))
+                    : make("td", {class: "prose", colspan: kColumns.length}, run.failed != null ? "failed: " + run.failed : "not measured yet")));
   return make("table", {},
     make("thead", {}, make("tr", {}, lead.map(column => make("th", {scope: "col", class: "text"}, column.title)), kColumns.map(head))),
     make("tbody", {}, rows));
@@ -45,7 +46,7 @@ function allRunsTable(runs, pick) {
     const {of} = kColumns.find(column => column.name === order.by);
     const sign = order.down ? -1 : 1;
     const sorted = [...runs].sort((a, b) => sign * ((of(a) ?? Infinity) - (of(b) ?? Infinity) || 0));
-    place.replaceChildren(runTable(sorted, [{title: "run", of: run => run.label}], pick, order));
+    place.replaceChildren(runTable(sorted, [{title: "run", of: run => run.label, long: true}], pick, order));
   };
   draw();
   return place;

@@ -58,5 +58,5 @@ const settingName = key => key.replaceAll("_", " ");
 
 function certificateText(certificate) {
   if (!certificate) return kNothing;
-  return certificate.misordered === 0 ? "0" : `${countText(certificate.misordered)} in ${countText(certificate.pixels)} pixels`;
+  return certificate.misordered === 0 ? "0" : `${countText(certificate.misordered)} in ${countText(certificate.pixels)} px`;
 }
