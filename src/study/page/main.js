@@ -153,6 +153,8 @@ showHead();
 if (subjects.length) {
   showSubjects();
   await showSubject();
-} else byId("main").replaceChildren(make("p", {class: "notice"}, "Nothing has been measured yet."));
+} else {
+  byId("front").replaceChildren(make("p", {class: "notice"}, "Nothing has been measured yet."));
+}
 showEnd();
 document.documentElement.dataset.ready = "yes";

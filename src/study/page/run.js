@@ -14,7 +14,7 @@ function figure(picture, caption, kind) {
 
 function measureRows(run) {
   const without = run.error ?? {}, whole = run.error_with_masked_pixels;
-  const line = (title, key, text) => [title, text(without[key]) + (whole && whole[key] !== without[key] ? ` (${text(whole[key])} with the masked pixels)` : "")];
+  const line = (title, key, text) => [title, text(without[key]) + (whole && text(whole[key]) !== text(without[key]) ? ` (${text(whole[key])} with the masked pixels)` : "")];
   const psnr = value => value == null ? "infinite" : `${value.toFixed(1)} dB`;
   return [line("99.9th percentile", "p999", errorText), line("Maximum", "max", errorText), line("RMSE", "rmse", errorText), line("PSNR", "psnr", psnr),
           line("SSIM", "ssim", value => value == null ? kNothing : value.toFixed(6)), ["Misordered", run.certificate ? certificateText(run.certificate) : "not counted"]];
@@ -33,7 +33,7 @@ function runPanel(run, subject) {
   else panel.append(make("div", {class: "pictures"},
     figure(pictureOf(run.image), "This run.", "image"),
     figure(sameSize(run, subject) ? pictureOf(subject.reference?.image) : null, sameSize(run, subject) ? "The reference." : "The reference of this size was not kept.", "reference"),
-    figure(pictureOf(run.difference), "Their difference, on the scale of its colour bar.", "difference")));
+    figure(pictureOf(run.difference), run.difference ? "Their difference, on the scale of its colour bar." : "Their difference.", "difference")));
   if (isMeasured(run)) panel.append(make("p", {class: "tools"}, make("button", {type: "button", "aria-pressed": "false", click: event => {
     const whole = panel.querySelector(".pictures").classList.toggle("whole");
     event.target.setAttribute("aria-pressed", whole);
