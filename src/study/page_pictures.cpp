@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 namespace {
 
-constexpr int kLeastReduction = 8;
+constexpr int kMostReduction = 8;
 
 std::set<std::string> namesOfPictures(const Json& study) {
   std::set<std::string> names;
@@ -117,7 +117,7 @@ PagePictures readPagePictures(const Json& study, const fs::path& folder, std::ui
   const auto area = [&] {
     return static_cast<std::uintmax_t>(pictures.reduction) * static_cast<std::uintmax_t>(pictures.reduction);
   };
-  while (pictures.bytes / area() > mostBytes && pictures.reduction < kLeastReduction) pictures.reduction *= 2;
+  while (pictures.bytes / area() > mostBytes && pictures.reduction < kMostReduction) ++pictures.reduction;
   if (pictures.reduction == 1) return pictures;
   pictures.bytes = 0;
   for (auto& [name, bytes] : pictures.png) {

@@ -17,8 +17,8 @@ struct PagePictures {
 };
 
 /// Reads all pictures that `study` names, from `folder`. Only PNG files inside `folder` are taken; others count as
-/// missing. Together they hold at most about `mostBytes`: else all are halved in width and height, once or more, to 1/8
-/// at most.
+/// missing. Together they hold at most about `mostBytes`: else all are made smaller, to 1/2, 1/3, ... 1/8
+/// of their width and height.
 PagePictures readPagePictures(const nlohmann::json& study, const std::filesystem::path& folder,
                               std::uintmax_t mostBytes);
 

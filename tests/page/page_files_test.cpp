@@ -73,7 +73,7 @@ TEST(ReducedPng, AveragesColourByOpacity) {
   EXPECT_EQ(reducedPng("no picture", 2), "no picture");
 }
 
-TEST(PagePictures, AreHalvedUntilTheyFit) {
+TEST(PagePictures, AreMadeSmallerUntilTheyFit) {
   const TemporaryFolder folder;
   const Json study = test::writeStudyFixture(folder.path());
   const PagePictures whole = readPagePictures(study, folder.path(), 1u << 30);

@@ -167,7 +167,8 @@ TEST_F(PageTest, HoveredPointIsNamed) {
     chromium_->waitFor("!document.querySelector('#tip').hidden");
     const std::string tip = js("document.querySelector('#tip').innerText");
     for (const std::string& part :
-         {run(top)["label"].get<std::string>(), std::string("ms wall"), std::string("Misordered"), std::string("sort")})
+         {run(top)["label"].get<std::string>(), std::string("ms wall"), std::string("Misordered"),
+          "sort " + run(top)["settings"]["sort"].get<std::string>()})
       EXPECT_NE(tip.find(part), std::string::npos) << part << " in " << tip;
     EXPECT_EQ(tip.find("the paper's choice") != std::string::npos, run(top)["kind"] == "paper");
     chromium_->movePointer(2, 2);

@@ -10,12 +10,14 @@ function fitSections(subject) {
   return [...groups.values()].map(fits => {
     const place = make("div", {class: "plot"});
     const measure = kMeasures[fits[0].measure]?.title ?? fits[0].measure;
-    const section = make("div", {class: "fit"}, make("h4", {}, `${settingName(fits[0].axis)}, ${measure}`), place);
+    const section = make("div", {class: "fit"}, make("h4", {}, `${measure}, against ${sizeName(fits[0])}`), place);
     section.draw = () => showPlot(place, width => fitSpec(fits, measure, width));
     return section;
   });
 }
 
+// What is refined: tables, or the samples that some lookups take along a segment.
+const sizeName = fit => ({table: "entries along each side of the table", lookup: "samples along a segment"})[fit.axis] ?? settingName(fit.axis);
 const fitName = fit => `${fit.lookup ?? settingName(fit.axis)}: ${fit.slope == null ? "no order found" : "slope " + fit.slope.toFixed(2).replace("-", "−")}`;
 const inFit = (fit, size) => fit.used != null && size >= fit.used[0] && size <= fit.used[1];
 
@@ -40,7 +42,7 @@ function fitSpec(fits, measure, width) {
     height: 240,
     data: [{name: "points", values: rows}, {name: "lines", values: fits.flatMap(fittedLine)}],
     scales: [{name: "x", type: "log", domain, range: "width", zero: false, nice: false}, errorScale(range), seriesColour(fits.map(fitName))],
-    axes: [{orient: "bottom", scale: "x", title: settingName(fits[0].axis), values: [...new Set(sizes)].sort((a, b) => a - b), format: "~r", labelOverlap: true, labelPadding: 4}, errorAxis(range, `error, ${measure}`)],
+    axes: [{orient: "bottom", scale: "x", title: sizeName(fits[0]), values: [...new Set(sizes)].sort((a, b) => a - b), format: "~r", labelOverlap: true, labelPadding: 4}, errorAxis(range, `error, ${measure}`)],
     legends: [legendFor(fits.map(fitName), width)],
     marks: [
       {type: "group", from: {facet: {name: "line", data: "lines", groupby: "name"}}, marks: [

@@ -101,7 +101,7 @@ async function showSubject() {
   const failed = runs.filter(run => run.failed != null);
   fill(byId("axes"), "One setting at a time", ...(axes.length ? [make("p", {}, "Everything else as in the default run. Pick a row to see its pictures."), ...axes] : []));
   fill(byId("fits"), "Order of accuracy", ...(fits.length ? [make("p", {},
-    "How fast the error falls as a table is refined: the slope of the line through the filled points, on logarithmic axes. −2 means that twice the size leaves a quarter of the error. Hollow points were not used: there other errors dominate, or the order has not set in yet."),
+    "How fast the error falls as a table gets more entries, or a segment more samples: the slope of the line through the filled points, on logarithmic axes. −2 means that twice as many leave a quarter of the error. Hollow points were not used: there other errors dominate, or the order has not set in yet."),
     make("div", {class: "pair"}, fits)] : []));
   const skipped = study.skipped ?? [];
   const skippedList = skipped.length ? [make("p", {}, "Left out of the study:"), make("ul", {}, skipped.map(text => make("li", {}, text)))] : [];

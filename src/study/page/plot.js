@@ -43,7 +43,7 @@ function errorRange(values) {
 const errorScale = range => ({name: "y", type: "log", domain: range.domain, range: "height", zero: false, nice: false});
 const errorAxis = (range, title) => ({
   orient: "left", scale: "y", values: range.ticks, grid: true, title, domain: false, ticks: false, labelPadding: 6, zindex: 0,
-  encode: {labels: {update: {text: {signal: `datum.value === ${range.zero} ? '0' : format(datum.value, '~e')`}}}},
+  encode: {labels: {update: {text: {signal: `datum.value === ${range.zero} ? '0' : replace(format(datum.value, '~e'), '+', '')`}}}},
 });
 
 // The colours' legend above a plot of this width: as many columns as its longest name lets it have.

@@ -50,7 +50,7 @@ function showTip(event, id) {
   const rows = [["Time", `${timeText(run.frame_wall_ms.median)} ms wall, ${timeText(run.frame_cpu_ms?.median)} ms CPU`],
                 ["Error", `${errorText(run.error.p999)} (99.9 %), ${errorText(run.error.max)} at most, RMSE ${errorText(run.error.rmse)}`],
                 ["Misordered", run.certificate ? certificateText(run.certificate) : "not counted"],
-                ...Object.entries(run.settings ?? {}).map(([key, value]) => [settingName(key), settingText(value)])];
+                ["Settings", Object.entries(run.settings ?? {}).filter(([, value]) => value != null).map(([key, value]) => `${settingName(key)} ${settingText(value)}`).join(", ")]];
   tip.replaceChildren(make("strong", {}, run.label + (run.kind === "paper" || run.kind === "baseline" ? ` (${kKinds[run.kind]})` : "")), definitions(rows));
   const box = tip.getBoundingClientRect(), gap = 14;
   const left = event.clientX + gap + box.width > innerWidth ? event.clientX - gap - box.width : event.clientX + gap;

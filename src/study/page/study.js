@@ -13,7 +13,7 @@ const timeOf = (run, time) => run[time]?.median;
 function frontOf(subject, measure, time) {
   const runs = runsOf(subject).filter(run => isMeasured(run) && sameSize(run, subject) &&
                                              timeOf(run, time) != null && run.error[measure] != null);
-  if (measure === "p999" && time === "frame_wall_ms" && runs.some(run => run.on_front != null))
+  if (measure === "p999" && time === "frame_wall_ms" && runs.some(run => run.on_front))
     return runs.filter(run => run.on_front).sort((a, b) => timeOf(a, time) - timeOf(b, time));
   runs.sort((a, b) => timeOf(a, time) - timeOf(b, time) || a.error[measure] - b.error[measure]);
   let best = Infinity;
