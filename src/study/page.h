@@ -19,8 +19,8 @@ struct StudyPage {
 /// Whether this build has the page (-DHAVS_WITH_REPORT).
 bool hasStudyPage();
 
-/// Writes report.html, front.svg and front.png into `folder`, each whole or not at all. `study` is what study.json
-/// holds (docs/05-architecture.md); its pictures are read from `folder` and put into the page. The page opens from disk
+/// Writes report.html, front.svg and front.png into `folder`, each whole or not at all. `study` is what `havs study`
+/// writes as study.json; its pictures are read from `folder` and put into the page. The page opens from disk
 /// and asks for nothing outside itself. Where the pictures are more than `mostPictureBytes` together they are made
 /// smaller until they are not. Throws Error{input} when `study` is not of that form, Error{running} when
 /// writing fails or the build has no page.
