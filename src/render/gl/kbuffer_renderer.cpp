@@ -15,12 +15,8 @@
 #include "sort/face_order.h"
 
 namespace havs {
-namespace {
 
-/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
-constexpr float kMostOpacity = 0.99999994f;
-
-ShaderOptions shaderOptions(const RenderPlan& plan) {
+ShaderOptions kbufferShaderOptions(const RenderPlan& plan) {
   ShaderOptions options;
   for (const ShaderDefine& define : plan.defines) options.defines[define.name] = define.value;
   options.standsFor["lookup.glsl"] = plan.lookup.shader;
@@ -32,14 +28,19 @@ ShaderOptions shaderOptions(const RenderPlan& plan) {
   return options;
 }
 
+namespace {
+
+/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
+constexpr float kMostOpacity = 0.99999994f;
+
 class KBufferRenderer final : public Renderer {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
-        insert_(programs_.get("faces.vert", "kbuffer.frag", shaderOptions(plan))),
-        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", shaderOptions(plan))) {
+        insert_(programs_.get("faces.vert", "kbuffer.frag", kbufferShaderOptions(plan))),
+        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan))) {
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
