@@ -37,8 +37,8 @@ struct RenderPlan {
   std::vector<ShaderDefine> defines;
   TargetFormat targetFormat;  ///< of the k-buffer's targets
   int entryTargets = 0;       ///< k-buffer entries, beside the colour target
-  int bytesPerPixel = 0;  ///< of all targets
-  int tileWidth = 0;      ///< the picture is drawn in tiles of at most this size
+  int bytesPerPixel = 0;      ///< of all targets
+  int tileWidth = 0;          ///< the picture is drawn in tiles of at most this size
   int tileHeight = 0;
   double earlyTermination = 0;
   bool cellData = false;
