@@ -9,7 +9,8 @@
 namespace havs {
 
 /// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods()
-/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h), sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
+/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h),
+/// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
   std::filesystem::path plot3dSolution;

@@ -43,8 +43,8 @@ TEST_F(Render, JsonHoldsEveryKey) {
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
-                                            "k_auto", "sort", "lookup", "table", "table_format", "target_format", "early_termination",
-                                            "composite_late", "threads", "repeat"));
+                                            "k_auto", "sort", "lookup", "table", "table_format", "target_format",
+                                            "early_termination", "composite_late", "threads", "repeat"));
 }
 
 TEST_F(Render, JsonTellsWhatWasDrawn) {

@@ -16,12 +16,8 @@
 #include "sort/face_order.h"
 
 namespace havs {
-namespace {
 
-/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
-constexpr float kMostOpacity = 0.99999994f;
-
-ShaderOptions kbufferOptions(const RenderPlan& plan) {
+ShaderOptions kbufferShaderOptions(const RenderPlan& plan) {
   ShaderOptions options = shaderOptions(plan);
   options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
   const bool colors = plan.lookup.carries == Payload::color;
@@ -30,14 +26,19 @@ ShaderOptions kbufferOptions(const RenderPlan& plan) {
   return options;
 }
 
+namespace {
+
+/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
+constexpr float kMostOpacity = 0.99999994f;
+
 class KBufferRenderer final : public Renderer {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
-        insert_(programs_.get("faces.vert", "kbuffer.frag", kbufferOptions(plan))),
-        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferOptions(plan))) {
+        insert_(programs_.get("faces.vert", "kbuffer.frag", kbufferShaderOptions(plan))),
+        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan))) {
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
