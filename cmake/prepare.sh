@@ -1,9 +1,11 @@
 # For ./demo and ./check, from the repository's root: prepare TARGET... installs missing packages, configures and builds.
+# Where with_tests is yes, it installs the packages below the line "[check]" of packages.txt as well.
 
 # The packages of packages.txt that dpkg does not know as installed.
 missing_packages() {
-  local wanted
-  wanted=$(sed 's/#.*//' packages.txt | xargs)
+  local wanted last='/^\[check\]/,$d'
+  [ "${with_tests:-no}" = no ] || last='/^\[check\]/d'
+  wanted=$(sed -e "$last" -e 's/#.*//' packages.txt | xargs)
   comm -23 <(tr ' ' '\n' <<<"$wanted" | sort -u) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort -u)
 }

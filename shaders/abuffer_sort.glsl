@@ -14,7 +14,7 @@ struct Entry {
   int key;  // the payload's bits, turned so that exits come first, inner faces last
 };
 
-const int kRun = 32;
+const int kRun = 16;
 const uint kKeyTurn = 0x40000000u;
 const float kBeyondAll = 3.0e38;
 
@@ -45,32 +45,35 @@ Fragment fragmentOf(Entry entry) {
   return f;
 }
 
-// One stage of the sort of a run: places that are STEP apart, within blocks of 2 * BLOCK. All is known when compiled.
-#define STAGE(BLOCK, STEP)                                                                            \
-  for (int i = (STEP) % (BLOCK); i + (STEP) < kRun; ++i)                                              \
-    if ((i - (STEP) % (BLOCK)) % (2 * (STEP)) < (STEP) && i / (2 * (BLOCK)) == (i + (STEP)) / (2 * (BLOCK))) { \
-      Entry low = run[i], high = run[i + (STEP)];                                                     \
-      bool swapped = isBefore(high, low);                                                             \
-      run[i] = selectEntry(swapped, high, low);                                                       \
-      run[i + (STEP)] = selectEntry(swapped, low, high);                                              \
-    }
+void exchange(int low, int high) {
+  Entry a = run[low], b = run[high];
+  bool swapped = isBefore(b, a);
+  run[low] = selectEntry(swapped, b, a);
+  run[high] = selectEntry(swapped, a, b);
+}
+
+// The two stages of a merge of sorted runs of SIZE: first places SIZE apart, then STEP apart for halving steps. All places
+// are known when compiled, and the loops are short enough for Mesa to unroll: the run stays in registers.
+#define MERGE(SIZE) \
+  for (int i = 0; i < 8; ++i) exchange(i / (SIZE) * 2 * (SIZE) + i % (SIZE), i / (SIZE) * 2 * (SIZE) + i % (SIZE) + (SIZE));
+#define CLEAN(SIZE, STEP)                                                                    \
+  for (int i = 0; i < 8 - 8 * (STEP) / (SIZE); ++i) {                                      \
+    int inBlock = i % ((SIZE) - (STEP));                                                     \
+    int low = i / ((SIZE) - (STEP)) * 2 * (SIZE) + (STEP) + inBlock / (STEP) * 2 * (STEP) + inBlock % (STEP); \
+    exchange(low, low + (STEP));                                                             \
+  }
 
 void sortRun() {
-  STAGE(1, 1)
-  STAGE(2, 2)
-  STAGE(2, 1)
-  STAGE(4, 4)
-  STAGE(4, 2)
-  STAGE(4, 1)
-  STAGE(8, 8)
-  STAGE(8, 4)
-  STAGE(8, 2)
-  STAGE(8, 1)
-  STAGE(16, 16)
-  STAGE(16, 8)
-  STAGE(16, 4)
-  STAGE(16, 2)
-  STAGE(16, 1)
+  MERGE(1)
+  MERGE(2)
+  CLEAN(2, 1)
+  MERGE(4)
+  CLEAN(4, 2)
+  CLEAN(4, 1)
+  MERGE(8)
+  CLEAN(8, 4)
+  CLEAN(8, 2)
+  CLEAN(8, 1)
 }
 
 void sortRuns(int first, int count) {

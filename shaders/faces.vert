@@ -1,6 +1,10 @@
 // The corners of the mesh's faces, in the local frame. Points of boundary faces come a second time, after all points:
 // the number of the vertex tells whether its face has a cell on one side only.
 layout(location = 0) in vec4 pointAndScalar;
+#ifdef HAVS_COLOR_PAYLOAD
+layout(location = 1) in vec4 vertexColor;  // (r, g, b, extinction as a fraction of the largest)
+smooth out vec4 colorAndExtinction;
+#endif
 
 uniform mat4 toClip;
 uniform vec3 forward;
@@ -15,6 +19,9 @@ invariant gl_Position;  // passes that count faces and draw them must cover the 
 void main() {
   scalar = pointAndScalar.w;
   depth = dot(forward, pointAndScalar.xyz);
+#ifdef HAVS_COLOR_PAYLOAD
+  colorAndExtinction = vertexColor;
+#endif
   onBoundary = gl_VertexID >= firstBoundaryVertex ? 1.0 : 0.0;
   gl_Position = toClip * vec4(pointAndScalar.xyz, 1.0);
 }

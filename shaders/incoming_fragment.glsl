@@ -1,25 +1,48 @@
-// The fragment of a face that faces.vert has sent: scalar, distance along the pixel's ray, kind. Include it after
-// payload.glsl and core/kbuffer.glsl.
+// The fragment of a face that faces.vert has sent: what it carries (payload.glsl), distance along the pixel's ray,
+// kind. Include it after payload.glsl and core/kbuffer.glsl.
 smooth in float scalar;
 smooth in float depth;
 flat in float onBoundary;
+#ifdef HAVS_COLOR_PAYLOAD
+smooth in vec4 colorAndExtinction;
+#endif
 
 uniform vec4 pixelToRay;  // xy scale and zw offset from window coordinates to the ray's slope; zero for parallel rays
 #ifdef HAVS_CELL_DATA
-// Per face, in drawing order: the scalars of the cells behind it as seen from its front and from its back.
+// Per face, in drawing order: the scalars (colours) of the cells behind it as seen from its front and from its back.
+#ifdef HAVS_COLOR_PAYLOAD
+layout(std430, binding = 0) readonly buffer FaceColors { vec4 faceColors[]; };
+#else
 layout(std430, binding = 0) readonly buffer FaceScalars { vec2 faceScalars[]; };
+#endif
 layout(std430, binding = 1) readonly buffer FaceOrder { uint faceOrder[]; };
 uniform int firstFace;  // of the batch
 #endif
 
-Fragment incomingFragment() {
+#ifdef HAVS_COLOR_PAYLOAD
+Payload incomingPayload(float kind) {
+#ifdef HAVS_CELL_DATA
+  uint face = faceOrder[firstFace + gl_PrimitiveID];
+  return makeColorPayload(faceColors[2u * face + (gl_FrontFacing ? 0u : 1u)], kind);
+#else
+  return makeColorPayload(colorAndExtinction, kind);
+#endif
+}
+#else
+Payload incomingPayload(float kind) {
 #ifdef HAVS_CELL_DATA
   vec2 sides = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
-  float behind = gl_FrontFacing ? sides.x : sides.y;
+  return makePayload(gl_FrontFacing ? sides.x : sides.y, kind);
 #else
-  float behind = clamp(scalar, 0.0, 1.0);
+  return makePayload(clamp(scalar, 0.0, 1.0), kind);
 #endif
+}
+#endif
+
+Fragment incomingFragment() {
   vec2 slope = gl_FragCoord.xy * pixelToRay.xy + pixelToRay.zw;
-  float distance = depth * sqrt(1.0 + dot(slope, slope));
-  return makeFragment(behind, distance, onBoundary < 0.5 ? 0.0 : gl_FrontFacing ? 1.0 : -1.0);
+  Fragment f;
+  f.distance = depth * sqrt(1.0 + dot(slope, slope));
+  f.payload = incomingPayload(onBoundary < 0.5 ? 0.0 : gl_FrontFacing ? 1.0 : -1.0);
+  return f;
 }

@@ -22,9 +22,9 @@ void main() {
   if (color.a >= terminalOpacity) discard;
 #endif
   KBuffer kbuffer = loadEntries();
-  Fragment incoming = incomingFragment();
+  Fragment incoming = asStored(incomingFragment());
 
-  bool late = isLate(kbuffer, state, incoming);
+  bool late = isLateBy(kbuffer, state, incoming, kStoredTolerance);
   if (late) countLateFragment();
 #ifndef HAVS_COMPOSITE_LATE
   if (late) {

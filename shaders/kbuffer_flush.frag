@@ -23,5 +23,5 @@ void main() {
 #endif
     color = compositeUnder(color, segmentColor(segment));
   }
-  colorTarget = color;
+  storeColor(color);
 }

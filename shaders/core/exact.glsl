@@ -2,30 +2,42 @@
 // piece by the exact integral (core/integration.glsl). The usual segment lies within one piece and is thin: it takes
 // one turn of both loops.
 
-// A piece is integrated in steps of at most this optical depth, by few nodes each.
-CONSTANT Scalar kStepDepth = Scalar(kDouble ? 0.1 : 0.69);
-CONSTANT Scalar kUsedUp = Scalar(kDouble ? 1.0e-17 : 1.0e-8);  // transparency that nothing shows behind
+// A piece is integrated in steps of at most this optical depth; kUsedUp is a transparency that nothing shows through.
+CONSTANT Scalar kStepDepth = Scalar(kDouble ? 0.05 : 0.69);  // half of it is small enough for expm1Reduced
+CONSTANT Scalar kUsedUp = Scalar(kDouble ? 1.0e-17 : 1.0e-8);
 
-// The weights of a piece at most kStepDepth deep. All of exp(-depth) is seen from half the depth, so that the remaining
-// exponent is small enough for its series.
+// exp(d / 2) (w.back - w.front) of a piece whose optical depth is d and rises by 2b more at its back than at its front:
+// the integral of 2t (d + 2bt) exp(-dt + b (1/4 - t^2)) for t from -1/2 to 1/2, by its series. Only even powers of d
+// are there. |b| <= d <= kStepDepth: what is left out is below 2e-8 d.
+CONSTANT Scalar kTilt[17] = {
+    0.3333333333333333333,     0.03333333333333333333,   0.002380952380952380952,   0.0001322751322751322751,
+    6.012506012506012506e-6,   2.312502312502312502e-7,  // d^0, b^1 and on
+    -0.1666666666666666667,    0.008333333333333333333,  0.0005952380952380952381,  0.00003306878306878306878,
+    1.503126503126503127e-6,                             // d^2, b^0 and on
+    -0.004166666666666666667,  0.00007440476190476190476, 4.133597883597883598e-6, 1.878908128908128908e-7,  // d^4
+    -0.00003720238095238095238, 3.444664902998236626e-7};  // d^6
+
+FUNCTION Real tiltOfStep(Real d, Real b) {
+  Real dd = d * d;
+  Real p0 = Real(kTilt[5]);
+  for (int i = 4; i >= 0; --i) p0 = p0 * b + Real(kTilt[i]);
+  Real p2 = Real(kTilt[10]);
+  for (int i = 9; i >= 6; --i) p2 = p2 * b + Real(kTilt[i]);
+  Real p4 = ((Real(kTilt[14]) * b + Real(kTilt[13])) * b + Real(kTilt[12])) * b + Real(kTilt[11]);
+  Real p6 = Real(kTilt[16]) * b + Real(kTilt[15]);
+  return p0 * b + dd * (p2 + dd * (p4 + dd * p6));
+}
+
+// The weights of a piece at most kStepDepth deep. Neither of both is much smaller than the other, so half the sum and
+// half the difference give them to their last digits.
 FUNCTION SegmentWeights weightsOfStep(Real opticalFront, Real opticalBack) {
-  Real halfDepth = Real(0.25) * (opticalFront + opticalBack);
-  Real front = Real(0.0);
-  Real back = Real(0.0);
-  const int first = kDouble ? 0 : kFirstStepNode;
-  const int count = kDouble ? kShallowNodes : kStepNodes;
-  for (int i = first; i < first + count; ++i) {
-    Real s = Real(kNode[i]);
-    Real slope = opticalFront * (Real(1.0) - s) + opticalBack * s;
-    Real depth = Real(0.5) * s * (opticalFront + slope);
-    Real light = Real(kNodeWeight[i]) * slope * (Real(1.0) + expm1Reduced(halfDepth - depth));
-    front = front + (Real(1.0) - s) * light;
-    back = back + s * light;
-  }
-  Real through = expOfNegative(-halfDepth);
+  Real depth = Real(0.5) * (opticalFront + opticalBack);
+  Real lost = expm1Reduced(Real(-0.5) * depth);
+  Real alpha = -lost * (Real(2.0) + lost);
+  Real tilt = (Real(1.0) + lost) * tiltOfStep(depth, Real(0.5) * (opticalBack - opticalFront));
   SegmentWeights w;
-  w.back = through * back;
-  w.front = atMost(through * front, Real(1.0) - w.back);
+  w.front = Real(0.5) * (alpha - tilt);
+  w.back = Real(0.5) * (alpha + tilt);
   w.alpha = w.front + w.back;
   return w;
 }
@@ -61,15 +73,15 @@ FUNCTION void addPiece(INOUT(LongSum) light, Rgba front, Rgba back, Real length)
   Rgba near = front;
   Mask goesOn;
   do {
-    Real reach = reachOfDepth(opticalFront, opticalBack, Real(kStepDepth));
-    Rgba far = mixed(near, back, reach);
-    Real opticalFar = (Real(1.0) - reach) * opticalFront + reach * opticalBack;
-    SegmentWeights w = weightsOfStep(reach * opticalFront, reach * opticalFar);
-    addUnder(light, weightedColor(near, far, w));
+    Real part = reachOfDepth(opticalFront, opticalBack, Real(kStepDepth));
+    Real rest = Real(1.0) - part;
+    Rgba far = mixed(near, back, part);
+    Real opticalFar = rest * opticalFront + part * opticalBack;
+    addUnder(light, weightedColor(near, far, weightsOfStep(part * opticalFront, part * opticalFar)));
     near = far;
-    opticalFront = (Real(1.0) - reach) * opticalFar;
-    opticalBack = (Real(1.0) - reach) * opticalBack;  // 0 at the end: a lane that is done adds nothing
-    goesOn = reach < Real(1.0) && transparencyOf(light) > Real(kUsedUp);
+    opticalFront = rest * opticalFar;
+    opticalBack = rest * opticalBack;  // 0 at the end: a lane that is done adds nothing
+    goesOn = part < Real(1.0) && transparencyOf(light) > Real(kUsedUp);
   } while (anyLane(goesOn));
 }
 

@@ -27,6 +27,8 @@ struct PixelState {
 
 // A stretch of the ray between two successive fragments; drawn where `visible` holds.
 struct Segment {
+  Payload front;  // what its ends carry; their scalars, where they carry one, are
+  Payload back;
   Real scalarFront;
   Real scalarBack;
   Real length;
@@ -58,8 +60,12 @@ FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
 // `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left,
 // so that the segment it belongs to has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not
 // full.
+FUNCTION Mask isLateBy(KBuffer kbuffer, PixelState state, Fragment f, Real tolerance) {
+  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - tolerance);
+}
+
 FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {
-  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - Real(kLateTolerance));
+  return isLateBy(kbuffer, state, f, Real(kLateTolerance));
 }
 
 // Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first.
@@ -81,6 +87,8 @@ FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
   state.inside = state.inside + kindOf(front.payload);
   state.started = select(real, Real(1.0), state.started);
   Segment segment;
+  segment.front = front.payload;
+  segment.back = back.payload;
   segment.scalarFront = scalarOf(front.payload);
   segment.scalarBack = scalarOf(back.payload);
   Real stretch = back.distance - front.distance;

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/mesh_report.h"
 #include "core/memory.h"
 #include "render/certificate_picture.h"
 #include "render/k_search.h"
 #include "render/lookups.h"
-#include "render/visibility.h"
+#include "render/order_advice.h"
 
 namespace havs {
 namespace {
@@ -44,12 +42,14 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
   json["visibility"] = scene.visibility;
-  json["k"] = report.k;
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  json["k"] = method.maximumK > 0 ? Json(report.k) : Json();
   json["k_auto"] = wantsKSearch(scene);
-  json["sort"] = scene.sort;
+  json["sort"] = method.needsOrder ? Json(scene.sort) : Json();
   json["lookup"] = scene.lookup;
   json["table"] = scene.tableSize;
   json["table_format"] = scene.tableFormat;
+  json["target_format"] = scene.targetFormat;
   json["early_termination"] = scene.earlyTermination;
   json["composite_late"] = scene.compositeLate;
   json["threads"] = scene.threads;
@@ -122,33 +122,26 @@ std::string describeTransfer(const RenderReport& report) {
 
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
-  const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
-  const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
-  return fmt::format("{} of {}{}, {} order, lookup {}{}, on {} ({})", scene.visibility, report.k,
-                     wantsKSearch(scene) ? " (searched for)" : "", scene.sort, scene.lookup,
-                     table, scene.device, report.renderer);
+  const LookupResource* made = tableOf(lookup(scene.lookup));
+  const std::string table = made ? fmt::format(" ({}^{}, {})", scene.tableSize, made->axes, scene.tableFormat) : "";
+  const VisibilityMethod& method = visibilityMethod(scene.visibility);
+  const std::string k =
+      method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";
+  const std::string targets = scene.targetFormat == Scene{}.targetFormat ? "" : ", targets " + scene.targetFormat;
+  const std::string sort = method.needsOrder ? fmt::format(", {} order", scene.sort) : "";
+  const std::string kept =
+      report.fragments > 0 ? fmt::format(", {} fragments in {} tiles", report.fragments, report.tiles) : "";
+  return fmt::format("{}{}{}{}, lookup {}{}{}, on {} ({})", scene.visibility, k, sort, kept, scene.lookup, table,
+                     targets, scene.device, report.renderer);
 }
 
-bool isKnown(const std::string& visibility) {
-  const auto rows = visibilityMethods();
-  return std::any_of(rows.begin(), rows.end(), [&](const VisibilityMethod& row) { return row.name == visibility; });
-}
-
-/// What may put the fragments in order that this method could not.
-std::string betterOrder(const Scene& scene) {
-  std::string text;
-  auto add = [&](const std::string& option) { text += (text.empty() ? "" : " or ") + option; };
-  const int most = visibilityMethod(scene.visibility).maximumK;
-  if (scene.sort != "topological") add("--sort topological");
-  if (scene.k < most && !scene.kAuto) add("--k auto");
-  if (isKnown("abuffer") && scene.visibility != "abuffer") add("--visibility abuffer");
-  return text.empty() ? "" : "; try " + text;
-}
-
-std::string describeOrder(const Scene& scene, const Certificate& certificate) {
+std::string describeOrder(const Scene& scene, const RenderReport& report) {
+  const Certificate& certificate = *report.certificate;
   if (certificate.misordered == 0) return fmt::format("exact (0 of {} fragments misordered)", certificate.fragments);
+  const std::string advice = orderAdvice(scene, report.k);
   return fmt::format("wrong in {} pixels ({} of {} fragments misordered, up to {} in a pixel){}", certificate.pixels,
-                     certificate.misordered, certificate.fragments, mostMisordered(certificate), betterOrder(scene));
+                     certificate.misordered, certificate.fragments, mostMisordered(certificate),
+                     advice.empty() ? "" : "; try " + advice);
 }
 
 std::string describeTime(const StageTimes& stages) {
@@ -170,7 +163,7 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
                             report.fieldRange[1]));
   line("transfer", describeTransfer(report));
   line("method", describeMethod(scene, report));
-  if (report.certificate) line("order", describeOrder(scene, *report.certificate));
+  if (report.certificate) line("order", describeOrder(scene, report));
   line("time", describeTime(report.stages));
   line("memory", fmt::format("{:.0f} MB at most", static_cast<double>(peakMemoryBytes()) / 1e6));
   for (const std::string& note : report.notes) line("note", note);

@@ -78,6 +78,8 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
   add(command, kGroup, "--table", options.tableSize, "N",
       fmt::format("Entries along each axis of the table (default {})", defaults.tableSize));
   addTable("--table-format", options.tableFormat, "Numbers of the table", defaults.tableFormat, tableFormats());
+  addTable("--target-format", options.targetFormat, "Numbers of the k-buffer's targets", defaults.targetFormat,
+           targetFormats());
   add(command, kGroup, "--early-termination", options.earlyTermination, "OPACITY",
       "Opacity at which a pixel is done (default: never)");
   command
@@ -147,6 +149,7 @@ void setMethod(Scene& scene, const SceneOptions& options) {
   if (options.lookup) scene.lookup = *options.lookup;
   if (options.device) scene.device = known("--device", *options.device, namesOf(deviceRows()));
   if (options.tableFormat) scene.tableFormat = *options.tableFormat;
+  if (options.targetFormat) scene.targetFormat = *options.targetFormat;
   if (options.k) setK(scene, *options.k);
   if (options.tableSize) scene.tableSize = *options.tableSize;
   if (options.earlyTermination) scene.earlyTermination = *options.earlyTermination;

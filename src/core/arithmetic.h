@@ -40,7 +40,7 @@ struct DoubleLane {
 #define CONSTANT static constexpr
 #define PRECISE
 // The object that fetches from tables comes first: CurveFetch of transfer/packed_curve.h, for instance.
-#define TABLE_FUNCTION \
+#define TABLE_FUNCTION    \
   template <class Tables> \
   static inline
 #define TABLES const Tables &tables,
@@ -78,11 +78,13 @@ struct Arithmetic {
 #include "core/compositing.glsl"
 #include "core/curve.glsl"
 #include "core/exponential.glsl"
-#include "core/integration.glsl"
-#include "core/integral_functions.glsl"
-#include "core/exact.glsl"
 #include "core/kbuffer.glsl"
 #include "core/opaque.glsl"
+// what uses the types of the above
+#include "core/integration.glsl"
+// what uses the types of that
+#include "core/exact.glsl"
+#include "core/integral_functions.glsl"
 #include "core/riemann.glsl"
 };
 

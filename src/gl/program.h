@@ -32,6 +32,9 @@ class Program {
   void set(const char* name, const glm::vec3& v) const { glProgramUniform3f(id(), location(name), v.x, v.y, v.z); }
   void set(const char* name, const glm::vec4& v) const { glProgramUniform4f(id(), location(name), v.x, v.y, v.z, v.w); }
   void set(const char* name, const glm::ivec2& v) const { glProgramUniform2i(id(), location(name), v.x, v.y); }
+  void set(const char* name, const glm::mat3& m) const {
+    glProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, &m[0][0]);
+  }
   void set(const char* name, const glm::mat4& m) const {
     glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &m[0][0]);
   }

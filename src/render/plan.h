@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/lookups.h"
+#include "render/target_formats.h"
 #include "render/visibility.h"
 #include "scene/scene.h"
 
@@ -32,11 +33,13 @@ struct RenderPlan {
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
   std::string sort;      ///< row of sortMethods(); empty: faces need no order
   Lookup lookup;
+  std::vector<LookupResource> resources;  ///< all that shaders read besides the segment
   TableFormat tableFormat;
   int tableSize = 0;
   int k = 0;
   std::vector<ShaderDefine> defines;
-  int entryTargets = 0;           ///< RGBA32F, two k-buffer entries each, beside the colour target
+  TargetFormat targetFormat;      ///< of the k-buffer's targets
+  int entryTargets = 0;           ///< k-buffer entries, beside the colour target
   int bytesPerPixel = 0;          ///< of all targets
   std::size_t mostFragments = 0;  ///< a-buffer: stored at once
   int tileWidth = 0;              ///< the picture is drawn in tiles of at most this size
@@ -45,7 +48,6 @@ struct RenderPlan {
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool certificate = false;
-  bool needsCurveTexture = false;
 };
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table
@@ -54,6 +56,9 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
+
+/// How many k-buffer entries share a target: two that carry a scalar, one that carries a colour.
+int entriesPerTarget(const Lookup& lookup);
 
 /// The largest k that the scene's visibility method takes on a machine; 0 for a method without k.
 int largestK(const Scene& scene, const Capabilities& capabilities);

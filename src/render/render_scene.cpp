@@ -9,6 +9,7 @@
 #include "reference/reference_renderer.h"
 #include "render/k_search.h"
 #include "render/make_renderer.h"
+#include "render/order_advice.h"
 #include "render/plan.h"
 #include "scene/prepared_scene.h"
 
@@ -53,9 +54,10 @@ Scene withChosenK(const Scene& scene, const PreparedScene& prepared, const View&
 
 void noteUnmendedOrder(const Scene& scene, RenderReport& report) {
   if (!wantsKSearch(scene) || !report.certificate || report.certificate->misordered == 0) return;
-  report.notes.push_back(fmt::format(
-      "no k is enough: with the largest, {}, {} fragments in {} pixels are misordered; try --visibility abuffer",
-      report.k, report.certificate->misordered, report.certificate->pixels));
+  const std::string advice = orderAdvice(scene, report.k);
+  report.notes.push_back(fmt::format("no k is enough: with the largest, {}, {} fragments in {} pixels are misordered{}",
+                                     report.k, report.certificate->misordered, report.certificate->pixels,
+                                     advice.empty() ? "" : "; try " + advice));
 }
 
 /// Scene::repeat times; the picture is the last.

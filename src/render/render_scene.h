@@ -31,7 +31,7 @@ struct RenderReport {
   std::size_t bytesPerPixel = 0;  ///< of the render targets
   std::size_t targetBytes = 0;    ///< all targets together
   std::size_t tiles = 1;
-  int k = 0;  ///< used: the scene's, or the one that the search chose
+  int k = 0;                      ///< used: the scene's, or the one that the search chose
   std::size_t fragments = 0;      ///< of the picture, where the method keeps them all (a-buffer)
   std::size_t fragmentBytes = 0;  ///< of memory that these took at once
   std::optional<Certificate> certificate;

@@ -13,6 +13,7 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .needsOrder = true,
        .maximumK = 14,
        .dropsLateFragments = true,
+       .carriesColors = true,
        .plan = planKBuffer,
        .make = makeKBufferRenderer},
       {.name = "abuffer",
@@ -20,6 +21,12 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .needsOrder = false,
        .plan = planABuffer,
        .make = makeABufferRenderer},
+      {.name = "cells",
+       .description = "each cell's segment blended as its faces come; as exact as their order (cycles, --sort)",
+       .needsOrder = true,
+       .endsPixelsEarly = false,
+       .plan = planCells,
+       .make = makeCellsRenderer},
   };
   return rows;
 }

@@ -24,6 +24,7 @@ struct VisibilityMethod {
   int maximumK = 0;                     ///< largest k; 0: the method knows no k
   bool endsPixelsEarly = true;          ///< knows early termination (`--early-termination`)
   bool dropsLateFragments = false;      ///< knows late fragments, and may composite them (`--composite-late`)
+  bool carriesColors = false;           ///< fragments may carry colours (Payload::color)
   /// Its part of the plan: targets, tiles, defines. A pure function. Throws Error like plan().
   void (*plan)(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) = nullptr;
   /// `prepared` and the current device must outlive the renderer. Stages timed: table, upload_mesh.

@@ -9,7 +9,8 @@
 namespace havs {
 
 /// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods()
-/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
+/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h),
+/// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
   std::filesystem::path plot3dSolution;
@@ -29,6 +30,7 @@ struct Scene {
   std::string lookup = "3d";
   int tableSize = 128;
   std::string tableFormat = "rgba32f";  ///< or rgba8
+  std::string targetFormat = "32f";     ///< numbers of the k-buffer's render targets; or 16f
   double earlyTermination = 0;          ///< opacity at which a pixel is done; 0: never
   bool certificate = false;             ///< count misordered fragments (design: the order certificate)
   bool compositeLate = false;           ///< late fragments are composited (the paper) instead of dropped

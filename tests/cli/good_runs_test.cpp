@@ -43,8 +43,8 @@ TEST_F(Render, JsonHoldsEveryKey) {
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
-                                            "k_auto", "sort", "lookup", "table", "table_format", "early_termination",
-                                            "composite_late", "threads", "repeat"));
+                                            "k_auto", "sort", "lookup", "table", "table_format", "target_format",
+                                            "early_termination", "composite_late", "threads", "repeat"));
 }
 
 TEST_F(Render, JsonTellsWhatWasDrawn) {
@@ -66,6 +66,27 @@ TEST_F(Render, JsonTellsWhatWasDrawn) {
   EXPECT_GT(json["stages_ms"]["total"], 0);
   EXPECT_GE(json["stages_ms"]["total"], json["frame_ms"]);
   EXPECT_GT(json["peak_memory_bytes"], 1 << 20);
+}
+
+TEST_F(Render, JsonTellsWhatTheABufferKept) {
+  const auto json = nlohmann::json::parse(render({"--visibility", "abuffer", "--json"}));
+  EXPECT_TRUE(json["settings"]["k"].is_null());
+  EXPECT_TRUE(json["settings"]["sort"].is_null());
+  EXPECT_GT(json["device"]["fragments"],
+            48 * 32 / 10);  // more than one fragment in ten pixels: the cube is in the picture
+  EXPECT_EQ(json["device"]["fragment_bytes"], 8 * json["device"]["fragments"].get<std::size_t>());
+  EXPECT_THAT(render({"--visibility", "abuffer"}), HasSubstr("fragments in 1 tiles"));
+}
+
+TEST_F(Render, EveryVisibilityMethodDrawsTheSamePicture) {
+  render({"-o", "kbuffer.exr"});
+  const Image expected = readImage(folder / "kbuffer.exr");
+  for (const char* method : {"abuffer", "cells"}) {
+    render({"-o", "a.exr", "--visibility", method});
+    const Image image = readImage(folder / "a.exr");
+    ASSERT_EQ(image.rgba.size(), expected.rgba.size());
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) ASSERT_NEAR(image.rgba[i], expected.rgba[i], 1e-5) << method;
+  }
 }
 
 TEST_F(Render, CameraOfTheReportDrawsTheSamePicture) {
@@ -191,8 +212,8 @@ TEST(Help, ListsTheRowsOfEveryTable) {
   const TemporaryFolder folder;
   const Outcome run = runHavs({"render", "--help"}, folder.path());
   EXPECT_EQ(run.status, 0);
-  for (const char* name :
-       {"osmesa", "egl", "kbuffer", "centroid", "topological", "3d", "post", "rainbow", ".node", "--paper"})
+  for (const char* name : {"osmesa", "egl", "kbuffer", "abuffer", "cells", "centroid", "topological", "3d", "post",
+                           "rainbow", ".node", "--paper"})
     EXPECT_THAT(run.output, HasSubstr(name));
 }
 
@@ -200,7 +221,7 @@ TEST(Help, OfTheProgramNamesTheCommands) {
   const TemporaryFolder folder;
   const Outcome run = runHavs({"--help"}, folder.path());
   EXPECT_EQ(run.status, 0);
-  for (const char* name : {"render", "info", "mesh"}) EXPECT_THAT(run.output, HasSubstr(name));
+  for (const char* name : {"render", "reference", "info", "mesh"}) EXPECT_THAT(run.output, HasSubstr(name));
 }
 
 TEST(Version, IsPrinted) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "core/arithmetic.h"
@@ -63,7 +64,7 @@ std::vector<std::uint32_t> drawInto(const Buffer& list, int capacity, const Mesh
 
 /// Whether the shader would count the fragment as late; it goes into the buffer otherwise.
 template <int K>
-std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments) {
+std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments, float tolerance) {
   using A = Arithmetic<FloatLane, K>;
   typename A::KBuffer buffer;
   for (auto& entry : buffer.entry) entry = A::emptyFragment();
@@ -71,7 +72,7 @@ std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments) {
   std::uint32_t late = 0;
   for (const CapturedFragment& f : fragments) {
     const auto fragment = A::makeFragment(f.scalar, f.distance, static_cast<float>(f.kind));
-    if (A::isLate(buffer, state, fragment)) {
+    if (A::isLateBy(buffer, state, fragment, tolerance)) {
       ++late;
       continue;
     }
@@ -82,7 +83,7 @@ std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments) {
   return late;
 }
 
-using CountLate = std::uint32_t (*)(const std::vector<CapturedFragment>&);
+using CountLate = std::uint32_t (*)(const std::vector<CapturedFragment>&, float);
 template <int... Before>
 constexpr std::array<CountLate, sizeof...(Before)> countTable(std::integer_sequence<int, Before...>) {
   return {countLateOf<Before + 1>...};
@@ -119,8 +120,18 @@ CapturedPicture captureFragments(const PreparedScene& prepared, const View& view
   return picture;
 }
 
-std::uint32_t countLate(const std::vector<CapturedFragment>& fragments, int k) {
-  return kCountLate.at(static_cast<std::size_t>(k - 1))(fragments);
+std::uint32_t countLate(const std::vector<CapturedFragment>& fragments, int k, float tolerance) {
+  return kCountLate.at(static_cast<std::size_t>(k - 1))(fragments, tolerance);
+}
+
+std::vector<CapturedFragment> inHalves(std::vector<CapturedFragment> fragments) {
+  for (CapturedFragment& f : fragments) {
+    int exponent = 0;
+    std::frexp(f.distance, &exponent);
+    const float step = std::ldexp(1.0f, std::max(exponent, -13) - 11);  // of halves, subnormal ones too
+    f.distance = std::nearbyint(f.distance / step) * step;
+  }
+  return fragments;
 }
 
 }  // namespace havs::test

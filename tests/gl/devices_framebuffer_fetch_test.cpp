@@ -2,8 +2,10 @@
 // of the triangles. docs/llvmpipe.md tells the results.
 #include <gmock/gmock.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/packing.hpp>
 #include <random>
 
 #include "gl/full_screen.h"
@@ -211,6 +213,62 @@ void main() { t = uvec4(t.x * 1664525u + uint(triangle), t.x, t.y ^ 0x80000000u,
   }
   const std::vector<std::uint32_t> pixels = framebuffer.readUints(0);
   for (std::size_t p = 0; p < pixels.size(); ++p) ASSERT_EQ(pixels[p], expected[p % 4]) << p;
+}
+
+TEST_P(FramebufferFetch, IntegerTargetsOf16Bits) {
+  std::vector<Texture> textures;
+  for (int i = 0; i < 8; ++i) textures.push_back(Texture::image2D("halves", GL_RGBA16UI, 70, 70));
+  const Framebuffer framebuffer("halves", Framebuffer::Targets(textures.begin(), textures.end()));
+  const Program program = makeProgram(kFullScreenVertex, R"(
+layout(location = 0) inout uvec4 first;
+layout(location = 1) inout uvec4 others[7];
+flat in int triangle;
+void main() {
+  first = uvec4(first.x * 25173u + uint(triangle), first.x, first.y ^ 0x8000u, first.w + 1u) & 0xffffu;
+  for (int i = 0; i < 7; ++i) others[i] = (others[i] + first + uint(i)) & 0xffffu;
+}
+)",
+                                      kFetch);
+  framebuffer.bind();
+  for (int t = 0; t < 8; ++t) framebuffer.clear(t, std::array<std::uint32_t, 4>{1, 0, 0, 0xfff0U});
+  program.use();
+  drawFullScreen(40);
+  std::array<std::uint32_t, 4> expected = {1, 0, 0, 0xfff0U}, last = expected;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    expected = {(expected[0] * 25173U + i) & 0xffffU, expected[0], expected[1] ^ 0x8000U, (expected[3] + 1) & 0xffffU};
+    for (std::size_t c = 0; c < 4; ++c) last[c] = (last[c] + expected[c] + 6) & 0xffffU;
+  }
+  const std::vector<std::uint32_t> pixels = framebuffer.readUints(0), ends = framebuffer.readUints(7);
+  for (std::size_t p = 0; p < pixels.size(); ++p) {
+    ASSERT_EQ(pixels[p], expected[p % 4]) << p;
+    ASSERT_EQ(ends[p], last[p % 4]) << p;
+  }
+}
+
+// What the k-buffer in half floats relies on: a number that a half holds comes back as it was, whatever the rounding.
+TEST_P(FramebufferFetch, HalvesOfNumbersThatFitAreExact) {
+  const Texture target = Texture::image2D("out", GL_RGBA32UI, 256, 256);
+  const Framebuffer framebuffer("out", {target});
+  const Program program = makeProgram(kFullScreenVertex, R"(
+layout(location = 0) out uvec4 result;
+void main() {
+  uint bits = uint(gl_FragCoord.y) * 256u + uint(gl_FragCoord.x);
+  float number = unpackHalf2x16(bits).x;
+  result = uvec4(packHalf2x16(vec2(number, 0.0)), packHalf2x16(vec2(0.0, number)) >> 16, floatBitsToUint(number), bits);
+}
+)");
+  framebuffer.bind();
+  program.use();
+  drawFullScreen(1);
+  const std::vector<std::uint32_t> pixels = framebuffer.readUints(0);
+  for (std::size_t p = 0; p < pixels.size(); p += 4) {
+    const std::uint32_t bits = pixels[p + 3];
+    const bool finite = (bits & 0x7c00u) != 0x7c00u;
+    if (!finite) continue;
+    ASSERT_EQ(pixels[p], bits);
+    ASSERT_EQ(pixels[p + 1], bits);
+    ASSERT_EQ(std::bit_cast<float>(pixels[p + 2]), glm::unpackHalf1x16(static_cast<glm::uint16>(bits))) << bits;
+  }
 }
 
 HAVS_FOR_EVERY_DEVICE(FramebufferFetch);

@@ -3,7 +3,6 @@
 // the last two tile by tile, as many rows as fit into memory. Faces come in any order.
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "core/error.h"
 #include "gl/check.h"
@@ -14,30 +13,25 @@
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
+#include "render/gl/stage_sum.h"
 
 namespace havs {
 namespace {
 
 constexpr GLuint kEndsBinding = 3, kFragmentsUnit = 0;  // as in abuffer_lists.glsl, abuffer_sort.glsl
 constexpr std::array kZero{0.0f, 0.0f, 0.0f, 0.0f};
-constexpr float kMostCount = 1 << 24;                   // beyond it, floats do not count by ones
+constexpr float kMostCount = 1 << 24;  // beyond it, floats do not count by ones
 
-/// Adds up the wall time of parts of a stage.
-class StageSum {
+/// Draws within a tile only, while it lives.
+class Scissors {
  public:
-  StageSum(StageTimes& stages, std::string name) : stages_(stages), name_(std::move(name)) {}
-  ~StageSum() { stages_.add(name_, sum_); }
-  template <class Work>
-  void time(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    sum_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  explicit Scissors(const Tile& area) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(area.x, area.y, area.width, area.height);
   }
-
- private:
-  StageTimes& stages_;
-  std::string name_;
-  double sum_ = 0;
+  Scissors(const Scissors&) = delete;
+  Scissors& operator=(const Scissors&) = delete;
+  ~Scissors() { glDisable(GL_SCISSOR_TEST); }
 };
 
 FaceOrder asNumbered(std::size_t faces) {
@@ -81,10 +75,10 @@ class ABufferRenderer final : public Renderer {
         drawing.fragments += tile.fragments;
         ++drawing.tiles;
       }
-      glDisable(GL_SCISSOR_TEST);
       checkGl("drawing");
       readTime.time([&] { readTile(*colorFramebuffer_, part, drawing.image); });
     }
+    if (drawing.certificate) drawing.certificate->fragments = drawing.fragments;
     drawing.fragmentBytes = fragments_ ? fragments_->bytes() : 0;
     return drawing;
   }
@@ -117,7 +111,7 @@ class ABufferRenderer final : public Renderer {
     countFramebuffer_->clear(0, kZero);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    useForView(count_, view, part, mesh_->firstBoundaryVertex());
+    useForView(count_, view, part);
     mesh_->drawInBatches([](std::size_t) {});
     glDisable(GL_BLEND);
     return readCounts(part);
@@ -148,10 +142,10 @@ class ABufferRenderer final : public Renderer {
     bindLists();
     countFramebuffer_->bind();
     glViewport(0, 0, part.width, part.height);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(tile.area.x, tile.area.y, tile.area.width, tile.area.height);
+    const Scissors scissors(tile.area);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // else llvmpipe drops what opaque triangles hide
-    useForView(store_, view, part, mesh_->firstBoundaryVertex());
+    useForView(store_, view, part);
+    store_.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
     setTile(store_, tile.area);
     mesh_->drawInBatches([&](std::size_t first) { store_.set("firstFace", static_cast<int>(first)); });
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -182,7 +176,7 @@ class ABufferRenderer final : public Renderer {
 
   void resolve(const Tile& area) {
     colorFramebuffer_->bind();
-    glScissor(area.x, area.y, area.width, area.height);
+    const Scissors scissors(area);
     resolve_.use();
     setTile(resolve_, area);
     resolve_.set("terminalOpacity", static_cast<float>(plan_.earlyTermination));

@@ -19,11 +19,10 @@ Image emptyPicture(const View& view) {
   return image;
 }
 
-void useForView(const Program& program, const View& view, const Tile& tile, int firstBoundaryVertex) {
+void useForView(const Program& program, const View& view, const Tile& tile) {
   program.use();
   program.set("toClip", glm::mat4(clipMatrix(view, tile)));
   program.set("forward", glm::vec3(view.forward));
-  program.set("firstBoundaryVertex", firstBoundaryVertex);
   program.set("pixelToRay", glm::vec4(pixelToRay(view, tile)));
 }
 

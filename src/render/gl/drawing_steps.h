@@ -15,9 +15,9 @@ ShaderOptions shaderOptions(const RenderPlan& plan);
 /// A transparent picture of the view's size.
 Image emptyPicture(const View& view);
 
-/// Uses `program` and sets what faces.vert and incoming_fragment.glsl need of the view. The viewport must be the
+/// Uses `program` and sets what the vertex shaders and pixels need of the view. The viewport must be the
 /// tile's.
-void useForView(const Program& program, const View& view, const Tile& tile, int firstBoundaryVertex);
+void useForView(const Program& program, const View& view, const Tile& tile);
 
 /// Reads the lower left part of target 0, of the tile's size, into the picture, whose rows go from the top down.
 void readTile(const Framebuffer& framebuffer, const Tile& tile, Image& image);

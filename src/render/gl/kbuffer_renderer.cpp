@@ -4,9 +4,10 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/check.h"
-#include "gl/framebuffer.h"
 #include "gl/program_cache.h"
 #include "render/gl/certificate_counter.h"
+#include "render/gl/drawing_steps.h"
+#include "render/gl/kbuffer_targets.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
@@ -15,33 +16,35 @@
 #include "sort/face_order.h"
 
 namespace havs {
-namespace {
 
-constexpr float kEmptyDistance = -3.0e38f;  // as in core/kbuffer.glsl
-/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
-constexpr float kMostOpacity = 0.99999994f;
-
-ShaderOptions shaderOptions(const RenderPlan& plan) {
-  ShaderOptions options;
-  for (const ShaderDefine& define : plan.defines) options.defines[define.name] = define.value;
-  options.standsFor["lookup.glsl"] = plan.lookup.shader;
-  options.extensions = {plan.ordering};
+ShaderOptions kbufferShaderOptions(const RenderPlan& plan) {
+  ShaderOptions options = shaderOptions(plan);
+  options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
+  const bool colors = plan.lookup.carries == Payload::color;
+  if (colors) options.standsFor["payload.glsl"] = "payload_color.glsl";
+  options.standsFor["entries.glsl"] = colors ? "entries_color.glsl" : "entries_scalar.glsl";
   return options;
 }
+
+namespace {
+
+/// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
+constexpr float kMostOpacity = 0.99999994f;
 
 class KBufferRenderer final : public Renderer {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
+        mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
-        insert_(programs_.get("faces.vert", "kbuffer.frag", shaderOptions(plan))),
-        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", shaderOptions(plan))) {
+        insert_(programs_.get("faces.vert", "kbuffer.frag", kbufferShaderOptions(plan))),
+        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan))) {
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
     }
     const ScopedStage timer(stages, "upload_mesh");
-    mesh_.emplace(prepared);
+    mesh_.emplace(prepared, plan.lookup.carries);
     glFinish();
   }
 
@@ -57,9 +60,7 @@ class KBufferRenderer final : public Renderer {
       glFinish();
     }
     Drawing drawing;
-    drawing.image = {view.width, view.height, {}};
-    drawing.image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(view.width) *
-                              static_cast<std::size_t>(view.height));
+    drawing.image = emptyPicture(view);
     if (plan_.certificate) drawing.certificate = emptyCertificate(view.width, view.height);
     const std::vector<Tile> tiles = tilesOf(view, plan_);
     for (const Tile& tile : tiles) drawTile(view, tile, drawing, stages);
@@ -70,20 +71,17 @@ class KBufferRenderer final : public Renderer {
 
  private:
   void makeTargets(int width, int height) {
-    if (framebuffer_ && framebuffer_->width() == width && framebuffer_->height() == height) return;
-    framebuffer_.reset();
-    targets_.clear();
-    for (int i = 0; i <= plan_.entryTargets; ++i)
-      targets_.push_back(
-          Texture::image2D(i == 0 ? "colour" : "k-buffer " + std::to_string(i), GL_RGBA32F, width, height));
-    framebuffer_.emplace("k-buffer", Framebuffer::Targets(targets_.begin(), targets_.end()));
+    if (targets_ && targets_->width() == width && targets_->height() == height) return;
+    targets_.reset();
+    counter_.reset();
+    targets_.emplace(plan_, width, height);
     if (plan_.certificate) counter_.emplace(width, height);
   }
 
   void drawTile(const View& view, const Tile& tile, Drawing& drawing, StageTimes& stages) {
     {
       const ScopedStage timer(stages, "draw");
-      beginTile(tile);
+      targets_->begin(tile);
       setUniforms(insert_, view, tile);
       if (counter_) counter_->begin(insert_, tile);
       mesh_->drawInBatches([&](std::size_t first) { insert_.set("firstFace", static_cast<int>(first)); });
@@ -99,40 +97,20 @@ class KBufferRenderer final : public Renderer {
     }
     checkGl("drawing");
     const ScopedStage timer(stages, "readback");
-    readTile(tile, drawing.image);
+    targets_->readInto(drawing.image, tile);
     if (counter_) counter_->addTo(*drawing.certificate, tile, drawing.image.height);
   }
 
-  void beginTile(const Tile& tile) {
-    framebuffer_->bind();
-    glViewport(0, 0, tile.width, tile.height);
-    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(capability);
-    framebuffer_->clear(0, std::array{0.0f, 0.0f, 0.0f, 0.0f});
-    for (int i = 1; i <= plan_.entryTargets; ++i)
-      framebuffer_->clear(i, std::array{0.0f, kEmptyDistance, 0.0f, kEmptyDistance});
-  }
-
   void setUniforms(const Program& program, const View& view, const Tile& tile) const {
-    program.use();
-    program.set("toClip", glm::mat4(clipMatrix(view, tile)));
-    program.set("forward", glm::vec3(view.forward));
+    useForView(program, view, tile);
     program.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
-    program.set("pixelToRay", glm::vec4(pixelToRay(view, tile)));
     program.set("terminalOpacity", std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity));
+    program.set("mostExtinction", mostExtinction_);
     textures_->bind(program);
   }
 
-  /// Into the picture's rows, which go from the top down.
-  void readTile(const Tile& tile, Image& image) const {
-    const int top = image.height - tile.y - tile.height;
-    framebuffer_->readInto(image.pixel(tile.x, top), 0, tile.width, tile.height, image.width);
-    for (int low = top, high = top + tile.height - 1; low < high; ++low, --high) {
-      float* const row = image.pixel(tile.x, low);
-      std::swap_ranges(row, row + std::size_t{4} * static_cast<std::size_t>(tile.width), image.pixel(tile.x, high));
-    }
-  }
-
   RenderPlan plan_;
+  float mostExtinction_;
   std::unique_ptr<FaceSorter> sorter_;
   FaceOrder order_;
   ProgramCache programs_;
@@ -141,8 +119,7 @@ class KBufferRenderer final : public Renderer {
   VertexArray emptyArray_{"no vertices"};
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;
-  std::vector<Texture> targets_;
-  std::optional<Framebuffer> framebuffer_;
+  std::optional<KBufferTargets> targets_;
   std::optional<CertificateCounter> counter_;  ///< only where the plan asks for a certificate
 };
 

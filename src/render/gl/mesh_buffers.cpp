@@ -16,8 +16,8 @@ struct Vertex {
 };
 
 /// llvmpipe bins triangles faster than it rasterises them and keeps all bins that wait: 500 bytes a tetrahedron when a
-/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no processor time
-/// (docs/llvmpipe.md).
+/// million are drawn in one go. Batches are therefore waited for, the last but so many first, which costs no processor
+/// time (docs/llvmpipe.md).
 constexpr std::size_t kFacesPerBatch = 32768;
 constexpr std::size_t kBatchesUnderWay = 2;
 
@@ -37,6 +37,8 @@ std::vector<Index> numberBoundaryCopies(const Faces& faces, std::size_t pointCou
   return copy;
 }
 
+}  // namespace
+
 std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared) {
   std::vector<std::array<float, 2>> behind(prepared.faces.size());
   parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
@@ -47,20 +49,44 @@ std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepar
   return behind;
 }
 
+namespace {
+
+using ColorAndExtinction = std::array<float, 4>;
+
+/// At a normalised scalar; extinction as a fraction of the largest of the transfer function.
+ColorAndExtinction colorAt(const ExtinctionCurve& curve, double scalar) {
+  const ExtinctionCurve::Knot knot = curve.at(scalar);
+  const double fraction = curve.maximumKappa > 0 ? knot.kappa / curve.maximumKappa : 0.0;
+  return {static_cast<float>(knot.color[0]), static_cast<float>(knot.color[1]), static_cast<float>(knot.color[2]),
+          static_cast<float>(fraction)};
+}
+
+std::vector<std::array<ColorAndExtinction, 2>> colorsBehindFaces(const PreparedScene& prepared) {
+  std::vector<std::array<ColorAndExtinction, 2>> behind(prepared.faces.size());
+  parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
+    const auto [in, out] = prepared.faces.cells[f];
+    behind[f] = {colorAt(prepared.curve, prepared.scalars[in]),
+                 out == kNoIndex ? ColorAndExtinction{} : colorAt(prepared.curve, prepared.scalars[out])};
+  });
+  return behind;
+}
+
 }  // namespace
 
-MeshBuffers::MeshBuffers(const PreparedScene& prepared)
+MeshBuffers::MeshBuffers(const PreparedScene& prepared, Payload carries)
     : faces_(prepared.faces), indices_("face indices", prepared.faces.size() * sizeof(Triangle)), array_("faces") {
-  uploadVertices(prepared);
+  uploadVertices(prepared, carries);
   array_.attribute(0, *vertices_, 4, GL_FLOAT, sizeof(Vertex));
+  if (colors_) array_.attribute(1, *colors_, 4, GL_FLOAT, sizeof(ColorAndExtinction));
   array_.elements(indices_);
   if (prepared.facts().cellData) {
-    cellScalars_ = Buffer::of("scalars behind faces", scalarsBehindFaces(prepared));
+    cellScalars_ = carries == Payload::color ? Buffer::of("colours behind faces", colorsBehindFaces(prepared))
+                                             : Buffer::of("scalars behind faces", scalarsBehindFaces(prepared));
     order_.emplace("face order", prepared.faces.size() * sizeof(Index));
   }
 }
 
-void MeshBuffers::uploadVertices(const PreparedScene& prepared) {
+void MeshBuffers::uploadVertices(const PreparedScene& prepared, Payload carries) {
   const bool pointData = !prepared.facts().cellData;
   const std::size_t pointCount = prepared.points.size();
   std::vector<Index> copied;
@@ -75,6 +101,12 @@ void MeshBuffers::uploadVertices(const PreparedScene& prepared) {
                    pointData ? static_cast<float>(prepared.scalars[p]) : 0.0f};
   });
   vertices_ = Buffer::of("points", vertices);
+  if (carries != Payload::color || !pointData) return;
+  std::vector<ColorAndExtinction> colors(vertices.size());
+  parallelFor(0, colors.size(), 4096, [&](std::size_t i) {
+    colors[i] = colorAt(prepared.curve, prepared.scalars[i < pointCount ? i : copied[i - pointCount]]);
+  });
+  colors_ = Buffer::of("colours of points", colors);
 }
 
 void MeshBuffers::setOrder(const FaceOrder& order) {
@@ -99,16 +131,21 @@ void MeshBuffers::bind() const {
 
 void MeshBuffers::drawInBatches(const std::function<void(std::size_t)>& prepare) const {
   bind();
+  havs::drawInBatches(faces_.size(), [&](std::size_t first, std::size_t count) {
+    prepare(first);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(Triangle)));
+  });
+}
+
+void drawInBatches(std::size_t faces, const std::function<void(std::size_t, std::size_t)>& draw) {
   std::deque<Fence> underWay;
-  for (std::size_t first = 0; first < faces_.size(); first += kFacesPerBatch) {
+  for (std::size_t first = 0; first < faces; first += kFacesPerBatch) {
     if (underWay.size() == kBatchesUnderWay) {
       underWay.front().wait();
       underWay.pop_front();
     }
-    prepare(first);
-    const std::size_t count = std::min(kFacesPerBatch, faces_.size() - first);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(first * sizeof(Triangle)));
+    draw(first, std::min(kFacesPerBatch, faces - first));
     underWay.emplace_back();
   }
 }

@@ -1,20 +1,30 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <optional>
 
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
+#include "render/lookups.h"
 #include "scene/prepared_scene.h"
 #include "sort/face_order.h"
 
 namespace havs {
+
+/// Has `draw` draw all faces, so many from the first on at a time, and waits for the last but one batch: a driver keeps
+/// what waits (docs/llvmpipe.md).
+void drawInBatches(std::size_t faces, const std::function<void(std::size_t first, std::size_t count)>& draw);
+
+/// Cell data: of each face the scalars of the cells behind it as seen from its front and from its back, 0 for none.
+std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared);
 
 /// The mesh in the memory of OpenGL: its points once, its faces anew in each picture's order.
 /// Points of boundary faces are there a second time, behind all others, so that the vertex shader can tell such faces
 /// by their vertex numbers.
 class MeshBuffers {
  public:
-  explicit MeshBuffers(const PreparedScene& prepared);
+  /// `carries`: what fragments are to carry, a colour besides or instead of the scalar.
+  explicit MeshBuffers(const PreparedScene& prepared, Payload carries = Payload::scalar);
 
   /// Writes the indices of the faces in `order`, in parallel.
   void setOrder(const FaceOrder& order);
@@ -27,14 +37,15 @@ class MeshBuffers {
 
  private:
   void bind() const;
-  void uploadVertices(const PreparedScene& prepared);
+  void uploadVertices(const PreparedScene& prepared, Payload carries);
 
   const Faces& faces_;
   std::vector<Index> boundaryCopy_;  ///< of each point; kNoIndex where it has none
   int firstBoundaryVertex_ = 0;
   std::optional<Buffer> vertices_;
   Buffer indices_;
-  std::optional<Buffer> cellScalars_;  ///< cell data: behind each face, seen from its front and from its back
+  std::optional<Buffer> colors_;       ///< of points, where fragments carry them
+  std::optional<Buffer> cellScalars_;  ///< cell data: behind each face, seen from its front and from its back (colours)
   std::optional<Buffer> order_;        ///< cell data: the face that each primitive is
   VertexArray array_;
 };

@@ -39,4 +39,13 @@ Vec4 pixelToRay(const View& view, const Tile& tile) {
   return {sx, sy, tile.x * sx - view.halfWidth, tile.y * sy - view.halfHeight};
 }
 
+Vec4 pixelToBase(const View& view, const Tile& tile) {
+  const double eyeX = dot(view.right, view.center), eyeY = dot(view.up, view.center);
+  // A perspective ray has gone -depth(eye) units of depth when it meets that plane.
+  const double reach = view.orthographic ? 1.0 : -view.depth(view.center);
+  const double sx = 2.0 * view.halfWidth / view.width, sy = 2.0 * view.halfHeight / view.height;
+  return {reach * sx, reach * sy, eyeX + reach * (tile.x * sx - view.halfWidth),
+          eyeY + reach * (tile.y * sy - view.halfHeight)};
+}
+
 }  // namespace havs

@@ -21,4 +21,7 @@ Mat4 clipMatrix(const View& view, const Tile& tile);
 /// direction; 0 for parallel rays.
 Vec4 pixelToRay(const View& view, const Tile& tile);
 
+/// The same to where the pixel's ray passes through the plane of depth 0 (the mesh's centre), along right and up.
+Vec4 pixelToBase(const View& view, const Tile& tile);
+
 }  // namespace havs

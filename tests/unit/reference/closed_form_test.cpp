@@ -65,6 +65,28 @@ TEST(ReferenceClosedForm, BoxesThatTouchAndBoxesWithAGap) {
         1500);
 }
 
+// Parts of a mesh that meet without sharing points, each of its own value: no cell sees the other part's scalars.
+TEST(ReferenceClosedForm, BoxesThatTouchKeepTheirOwnScalars) {
+  const TetMesh mesh = twoBoxes(3, 0.0);
+  std::vector<double> scalars(mesh.points.size(), 0.1);
+  std::fill(scalars.begin() + static_cast<std::ptrdiff_t>(scalars.size() / 2), scalars.end(), 0.8);
+  const PreparedScene scene = sceneOf(mesh, scalars, rampCurve(0.3, 2.3));
+  for (const View& view : obliqueViews(70)) {
+    const Deviation d = deviation(scene, view, [&](int x, int y) {
+      const Ray ray = rayOf(view, x, y);
+      auto part = [&](double low, double scalar) {
+        const auto sample = scene.curve.at(scalar);
+        const double alpha = -std::expm1(-sample.kappa * throughBox(ray, {low, -1, -1}, {low + 1, 1, 1}).length());
+        return RayColor{sample.color[0] * alpha, sample.color[1] * alpha, sample.color[2] * alpha, alpha};
+      };
+      const RayColor left = part(-1, 0.1), right = part(0, 0.8);
+      return ray.direction.x > 0 ? over(left, right) : over(right, left);
+    });
+    EXPECT_LE(d.most, kBound) << d;
+    EXPECT_GT(d.seen, 1500u);
+  }
+}
+
 TEST(ReferenceClosedForm, OGrid) {
   constexpr int kAround = 11;
   // A prism over a polygon of kAround corners at radius r: the mesh is the outer one less the inner one.

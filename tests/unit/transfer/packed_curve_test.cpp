@@ -18,10 +18,10 @@ ExtinctionCurve presetCurve(const std::string& name) {
 /// Steps everywhere, at both ends too, and knots that lie a few 1e-12 from one another.
 ExtinctionCurve hardCurve() {
   ExtinctionCurve curve;
-  curve.knots = {{0, {1, 0, 0}, 5},       {0, {0, 1, 0}, 1},           {0.25, {0, 1, 0}, 3},
-                 {0.25, {1, 1, 0}, 0},    {0.5 - 1e-12, {1, 0, 1}, 2}, {0.5 + 2e-12, {0, 0, 1}, 9},
-                 {0.7, {1, 0.2, 0.3}, 0}, {0.75, {1, 0.2, 0.3}, 0},    {0.7500001, {0, 1, 1}, 40},
-                 {0.7500002, {1, 1, 1}, 0}, {1, {0, 0, 1}, 4},         {1, {1, 1, 1}, 2}};
+  curve.knots = {{0, {1, 0, 0}, 5},         {0, {0, 1, 0}, 1},           {0.25, {0, 1, 0}, 3},
+                 {0.25, {1, 1, 0}, 0},      {0.5 - 1e-12, {1, 0, 1}, 2}, {0.5 + 2e-12, {0, 0, 1}, 9},
+                 {0.7, {1, 0.2, 0.3}, 0},   {0.75, {1, 0.2, 0.3}, 0},    {0.7500001, {0, 1, 1}, 40},
+                 {0.7500002, {1, 1, 1}, 0}, {1, {0, 0, 1}, 4},           {1, {1, 1, 1}, 2}};
   return curve;
 }
 
@@ -49,8 +49,8 @@ std::vector<Case> cases(const ExtinctionCurve& curve) {
 
 template <class C>
 double distance(const C& got, const SegmentColor& exact) {
-  return std::max({std::abs(got.r - exact.color[0]), std::abs(got.g - exact.color[1]),
-                   std::abs(got.b - exact.color[2]), std::abs(got.a - exact.alpha)});
+  return std::max({std::abs(got.r - exact.color[0]), std::abs(got.g - exact.color[1]), std::abs(got.b - exact.color[2]),
+                   std::abs(got.a - exact.alpha)});
 }
 
 std::vector<std::pair<std::string, ExtinctionCurve>> curves() {

@@ -1,0 +1,89 @@
+#include "render/gl/cell_buffers.h"
+
+#include <array>
+
+#include "core/parallel.h"
+#include "render/gl/mesh_buffers.h"
+
+namespace havs {
+namespace {
+
+constexpr std::size_t kGrain = 16384;
+constexpr GLuint kFirstUnit = 8;  // behind the lookup's textures
+
+std::vector<std::array<float, 4>> pointsOf(const PreparedScene& prepared) {
+  const bool pointData = !prepared.facts().cellData;
+  std::vector<std::array<float, 4>> points(prepared.points.size());
+  parallelFor(0, points.size(), kGrain, [&](std::size_t p) {
+    const Vec3& q = prepared.points[p];
+    points[p] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
+                 pointData ? static_cast<float>(prepared.scalars[p]) : 0.0f};
+  });
+  return points;
+}
+
+/// The point of `cell` that is not on `face`.
+Index oppositePoint(const PreparedScene& prepared, Index cell, Index face) {
+  const auto& faces = prepared.faces.ofCell[cell];
+  for (std::size_t i = 0; i < 4; ++i)
+    if (faces[i] == face) return prepared.mesh.tetrahedra[cell][i];
+  return kNoIndex;
+}
+
+std::vector<std::array<Index, 4>> cornersOf(const PreparedScene& prepared) {
+  std::vector<std::array<Index, 4>> corners(prepared.faces.size());
+  parallelFor(0, corners.size(), kGrain, [&](std::size_t f) {
+    const auto& [a, b, c] = prepared.faces.vertices[f];
+    corners[f] = {a, b, c, oppositePoint(prepared, prepared.faces.cells[f][0], static_cast<Index>(f))};
+  });
+  return corners;
+}
+
+std::vector<Index> backCornersOf(const PreparedScene& prepared) {
+  std::vector<Index> corners(prepared.faces.size());
+  parallelFor(0, corners.size(), kGrain, [&](std::size_t f) {
+    const Index cell = prepared.faces.cells[f][1];
+    corners[f] = cell == kNoIndex ? kNoIndex : oppositePoint(prepared, cell, static_cast<Index>(f));
+  });
+  return corners;
+}
+
+}  // namespace
+
+template <class T>
+CellBuffers::Texels CellBuffers::texels(const char* name, GLenum format, const std::vector<T>& values) {
+  Buffer buffer = Buffer::of(name, values);
+  Texture texture = Texture::overBuffer(name, format, buffer);
+  return {std::move(buffer), std::move(texture)};
+}
+
+CellBuffers::CellBuffers(const PreparedScene& prepared)
+    : faceCount_(prepared.faces.size()),
+      points_(texels("points", GL_RGBA32F, pointsOf(prepared))),
+      corners_(texels("corners of faces", GL_RGBA32UI, cornersOf(prepared))),
+      back_(texels("corners behind faces", GL_R32UI, backCornersOf(prepared))),
+      order_(texels("face order", GL_R32UI, std::vector<Index>(prepared.faces.size()))) {
+  if (prepared.facts().cellData) scalars_ = texels("scalars behind faces", GL_RG32F, scalarsBehindFaces(prepared));
+}
+
+void CellBuffers::bind(const Program& program) const {
+  GLuint unit = kFirstUnit;
+  auto use = [&](const Texels& texels, const char* name) {
+    texels.texture.bind(unit);
+    program.set(name, static_cast<int>(unit++));
+  };
+  use(points_, "points");
+  use(corners_, "faceCorners");
+  use(back_, "backCorners");
+  use(order_, "faceOrder");
+  if (scalars_) use(*scalars_, "faceScalars");
+}
+
+void CellBuffers::draw() const {
+  array_.bind();
+  drawInBatches(faceCount_, [](std::size_t first, std::size_t count) {
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first), static_cast<GLsizei>(3 * count));
+  });
+}
+
+}  // namespace havs
