@@ -53,6 +53,7 @@ void runCommandLine(int argc, char** argv) {
   addRenderCommand(program);
   addReferenceCommand(program);
   addCompareCommand(program);
+  addStudyCommand(program);
   addInfoCommand(program);
   addMeshCommand(program);
   try {

@@ -7,6 +7,7 @@ namespace havs {
 /// with such a function and its line in command_line.cpp.
 void addRenderCommand(CLI::App& program);
 void addReferenceCommand(CLI::App& program);
+void addStudyCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMeshCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);

@@ -1,6 +1,7 @@
 #include "core/stage_times.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/median.h"
 
@@ -15,6 +16,12 @@ void StageTimes::add(const std::string& stage, double milliseconds) {
 double StageTimes::median(const std::string& stage) const {
   for (const auto& [name, values] : runs_)
     if (name == stage) return medianOf(values);
+  return 0;
+}
+
+double StageTimes::total(const std::string& stage) const {
+  for (const auto& [name, values] : runs_)
+    if (name == stage) return std::accumulate(values.begin(), values.end(), 0.0);
   return 0;
 }
 

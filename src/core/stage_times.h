@@ -12,6 +12,8 @@ class StageTimes {
   void add(const std::string& stage, double milliseconds);
   /// Median over the runs of the stage; 0 for a stage that never ran.
   double median(const std::string& stage) const;
+  /// Sum over the runs of the stage.
+  double total(const std::string& stage) const;
   /// Stage names and their medians.
   std::vector<std::pair<std::string, double>> medians() const;
 

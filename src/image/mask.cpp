@@ -14,6 +14,8 @@ void checkMaskPath(const std::filesystem::path& file) {
 
 void writeMask(std::span<const unsigned char> mask, int width, int height, const std::filesystem::path& file) {
   checkMaskPath(file);
+  if (width <= 0 || height <= 0 || mask.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    failInput("the mask and its size do not match", file.string());
   Image image;
   image.width = width;
   image.height = height;

@@ -60,11 +60,6 @@ void noteUnmendedOrder(const Scene& scene, RenderReport& report) {
                                      advice.empty() ? "" : "; try " + advice));
 }
 
-void refuseCameraInside(const PreparedScene& prepared, const View& view) {
-  if (!view.orthographic && insideMesh(prepared, view.eye))
-    failInput("the camera is inside the mesh", "camera", "move it out, or look with an orthographic projection");
-}
-
 /// Scene::repeat times; the picture is the last.
 void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, RenderReport& report,
                     const Progress& progress) {
@@ -92,9 +87,8 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
     const ThreadLimit limit(scene.threads);
     const PreparedScene prepared = prepareScene(scene, report.stages, progress);
     describePrepared(prepared, report);
-    const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+    const View view = viewOf(scene, prepared);
     report.camera = describe(scene.camera, prepared.frame, scene.width, scene.height);
-    refuseCameraInside(prepared, view);
     draw(prepared, view, report);
   }
   report.cpuMilliseconds = 1e3 * (cpuSeconds() - cpuBefore);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "mesh/read.h"
 #include "transfer/transfer_function.h"
@@ -84,6 +85,13 @@ PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progres
     mesh = readMesh(scene.mesh, options);
   }
   return prepareScene(scene, std::move(mesh), stages);
+}
+
+View viewOf(const Scene& scene, const PreparedScene& prepared) {
+  const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+  if (!view.orthographic && insideMesh(prepared, view.eye))
+    failInput("the camera is inside the mesh", "camera", "move it out, or look with an orthographic projection");
+  return view;
 }
 
 bool insideMesh(const PreparedScene& prepared, const Vec3& point) {

@@ -10,6 +10,7 @@
 #include "mesh/scalar_field.h"
 #include "mesh/tet_mesh.h"
 #include "scene/scene.h"
+#include "scene/view.h"
 #include "transfer/extinction_curve.h"
 
 namespace havs {
@@ -38,6 +39,9 @@ PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progres
 
 /// Prepares a mesh that is in memory already (tests, studies).
 PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages);
+
+/// The view of the scene's camera. Throws Error{input}: as makeView, and for a camera inside the mesh.
+View viewOf(const Scene& scene, const PreparedScene& prepared);
 
 /// Whether a point of the local frame lies in a cell, its boundary included. Parallel.
 bool insideMesh(const PreparedScene& prepared, const Vec3& point);

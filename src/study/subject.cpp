@@ -1,0 +1,157 @@
+#include "study/subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+
+#include "core/error.h"
+#include "image/difference_picture.h"
+#include "reference/edge_mask.h"
+#include "render/make_renderer.h"
+#include "study/axes.h"
+#include "study/fingerprint.h"
+#include "study/timed_draw.h"
+#include "transfer/transfer_function.h"
+
+namespace havs {
+
+/// A renderer just made, and what it cost.
+struct Subject::Made {
+  std::unique_ptr<Renderer> renderer;
+  RenderPlan plan;
+  double makeMs = 0, tableMs = 0;
+};
+
+namespace {
+
+/// What a renderer holds, at most, roughly: targets, fragments, table, vertices and faces.
+std::size_t bytesOf(const RenderPlan& plan, const PreparedScene& prepared) {
+  const double targets = static_cast<double>(plan.bytesPerPixel) * plan.tileWidth * plan.tileHeight;
+  const double table =
+      static_cast<double>(plan.tableFormat.bytesPerEntry) * plan.tableSize * plan.tableSize * plan.tableSize;
+  const double mesh =
+      16.0 * static_cast<double>(prepared.points.size()) + 32.0 * static_cast<double>(prepared.faces.size());
+  const double fragments = 16.0 * static_cast<double>(plan.mostFragments);
+  return static_cast<std::size_t>(targets + fragments + table + mesh);
+}
+
+SubjectRecord describeSubject(std::string id, const Scene& scene, const PreparedScene& prepared) {
+  SubjectRecord record;
+  record.id = std::move(id);
+  record.mesh = scene.mesh.filename().string();
+  record.content = fingerprintOf(prepared);
+  record.points = prepared.points.size();
+  record.cells = prepared.mesh.tetrahedra.size();
+  record.faces = prepared.faces.size();
+  record.field = prepared.field.name;
+  record.transferFunction = prepared.transferFunction;
+  record.camera = describe(scene.camera, prepared.frame, scene.width, scene.height);
+  record.width = scene.width;
+  record.height = scene.height;
+  const auto mask = boundaryEdgeMask(prepared.points, prepared.faces, viewOf(scene, prepared));
+  record.maskedPixels = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), 1));
+  return record;
+}
+
+/// On one scale for all runs, from 1e-7 to 1, so that their pictures can be compared by eye.
+Image differenceOf(const Image& image, const Truth& truth) {
+  return differencePicture(image, truth.image, truth.mask, {.colors = presetColors("inferno"), .max = 1.0}).image;
+}
+
+/// A lookup without a table to be made: which fragments come late does not depend on it.
+std::string cheapestLookup() {
+  for (const Lookup& row : lookups())
+    if (row.table == LookupTable::curve) return row.name;
+  return lookups().front().name;
+}
+
+}  // namespace
+
+std::string fileNameOf(const std::string& runId) {
+  std::string name = runId;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string("=,.-").find(c) == std::string::npos) c = '_';
+  return name;
+}
+
+Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const Device& device,
+                 std::filesystem::path folder, std::size_t keepBytes)
+    : prepared_(prepared),
+      device_(device),
+      folder_(std::move(folder)),
+      record_(describeSubject(std::move(id), baseline, prepared)),
+      truths_(record_.id, prepared, folder_),
+      pool_(keepBytes) {}
+
+Subject::Made Subject::make(const Scene& scene) const {
+  using Clock = std::chrono::steady_clock;
+  Made made;
+  const auto start = Clock::now();
+  made.plan = plan(scene, prepared_.facts(), capabilitiesOf(device_));
+  StageTimes stages;
+  made.renderer = makeRenderer(prepared_, made.plan, stages);
+  made.tableMs = stages.total("table");
+  made.makeMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return made;
+}
+
+std::optional<std::array<std::size_t, 2>> Subject::certificateOf(const Scene& scene) {
+  Scene asked = scene;
+  asked.certificate = true;
+  if (scene.earlyTermination == 0) asked.lookup = cheapestLookup();
+  const auto [found, isNew] = certificates_.try_emplace(settingsKey(asked), std::nullopt);
+  if (isNew) {
+    try {
+      StageTimes stages;
+      const Drawing drawing = make(asked).renderer->draw(viewOf(asked, prepared_), stages);
+      if (drawing.certificate) found->second = {drawing.certificate->misordered, drawing.certificate->pixels};
+    } catch (const Error&) {  // this machine cannot count with these settings
+    }
+  }
+  return found->second;
+}
+
+VisitRecord Subject::visit(const PlannedRun& run, int round, bool withQuality) {
+  VisitRecord record{.run = run.id, .round = round};
+  Image image, difference;
+  try {
+    const View view = viewOf(run.scene, prepared_);
+    Made made;
+    Renderer* renderer = pool_.find(run.id);
+    if (renderer == nullptr) {
+      made = make(run.scene);
+      record.tableMs = made.tableMs;
+      renderer = made.renderer.get();
+      StageTimes warmUp;
+      renderer->draw(view, warmUp);
+    }
+    TimedDrawing timed = drawTimed(*renderer, view);
+    record.wallMs = timed.wallMs;
+    record.cpuMs = timed.cpuMs;
+    if (withQuality) {
+      const Truth& truth = truths_.of(run.scene);
+      image = std::move(timed.drawing.image);
+      Quality& quality = record.quality.emplace();
+      quality.error = compareImages(image, truth.image, truth.mask).rgba;
+      quality.errorWithMasked = compareImages(image, truth.image).rgba;
+      difference = differenceOf(image, truth);
+      quality.bytesPerPixel = static_cast<std::size_t>(made.plan.bytesPerPixel);
+      quality.certificate = certificateOf(run.scene);
+    }
+    if (made.renderer) pool_.offer(run.id, std::move(made.renderer), bytesOf(made.plan, prepared_), made.makeMs);
+  } catch (const std::exception& error) {
+    return {.run = run.id, .round = round, .failed = error.what()};
+  }
+  if (record.quality) {
+    const std::string name = "images/" + fileNameOf(run.id);
+    record.quality->image = name + ".png";
+    record.quality->difference = name + "-difference.png";
+    writeImage(image, folder_ / record.quality->image, {run.scene.background, 8});
+    writeImage(difference, folder_ / record.quality->difference);
+  }
+  return record;
+}
+
+}  // namespace havs

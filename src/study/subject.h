@@ -1,0 +1,51 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "gl/device.h"
+#include "scene/prepared_scene.h"
+#include "study/records.h"
+#include "study/renderer_pool.h"
+#include "study/truth.h"
+
+namespace havs {
+
+/// One mesh seen by one camera, prepared to be measured with any settings. `prepared` and `device` must outlive it.
+class Subject {
+ public:
+  /// `folder`: of the study; pictures go to images/ in it. `keepBytes`: memory for renderers kept between visits.
+  /// Throws Error{input} for a camera that cannot be used.
+  Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const Device& device,
+          std::filesystem::path folder, std::size_t keepBytes);
+
+  const SubjectRecord& record() const { return record_; }
+
+  /// Draws and times the run once, after a drawing that is not timed where its renderer had to be made; on the first
+  /// visit of a run (`withQuality`) also measures its error and its certificate and writes its pictures. What the
+  /// drawing throws becomes VisitRecord::failed. Throws Error{running} when a picture cannot be written.
+  VisitRecord visit(const PlannedRun& run, int round, bool withQuality);
+
+  /// The references drawn so far.
+  const std::vector<ReferenceRecord>& references() const { return truths_.records(); }
+
+ private:
+  struct Made;
+  Made make(const Scene& scene) const;
+  std::optional<std::array<std::size_t, 2>> certificateOf(const Scene& scene);
+
+  const PreparedScene& prepared_;
+  const Device& device_;
+  std::filesystem::path folder_;
+  SubjectRecord record_;
+  Truths truths_;
+  RendererPool pool_;
+  std::map<std::string, std::optional<std::array<std::size_t, 2>>> certificates_;  ///< by settings
+};
+
+/// A part of a file name that stands for a run: what is no letter or digit or one of "=,.-" becomes '_'.
+std::string fileNameOf(const std::string& runId);
+
+}  // namespace havs

@@ -1,0 +1,142 @@
+#include "study/sweep_plan.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "render/lookups.h"
+
+namespace havs {
+namespace {
+
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+std::vector<AxisChoice> choose(const std::vector<std::string>& texts) { return chooseAxes(texts, false); }
+
+std::vector<std::string> idsOf(const std::vector<PlannedRun>& runs) {
+  std::vector<std::string> ids;
+  for (const PlannedRun& run : runs) ids.push_back(run.id);
+  return ids;
+}
+
+TEST(PlanSweep, DrawsNothingTwice) {
+  const SweepPlan plan = planSweep("a-0", Scene{}, choose({}));
+  std::set<std::string> ids, keys;
+  for (const PlannedRun& run : plan.runs) {
+    EXPECT_TRUE(ids.insert(run.id).second) << run.id;
+    EXPECT_TRUE(keys.insert(settingsKey(run.scene)).second) << run.id;
+  }
+}
+
+TEST(PlanSweep, BeginsWithTheBaselineAndHasThePapersChoice) {
+  Scene baseline;
+  baseline.k = 4;
+  const SweepPlan plan = planSweep("a-0", baseline, choose({"k=2,4"}));
+  EXPECT_THAT(idsOf(plan.runs), UnorderedElementsAre("a-0/baseline", "a-0/paper", "a-0/k=2"));
+  EXPECT_EQ(plan.runs[0].kind, RunKind::baseline);
+  EXPECT_EQ(plan.runs[0].scene.k, 4);
+  EXPECT_EQ(plan.runs[1].kind, RunKind::paper);
+  EXPECT_EQ(plan.runs[1].scene.tableFormat, "rgba8");
+  EXPECT_EQ(plan.runs[1].scene.sort, "centroid");
+}
+
+/// A difference in error or time then has one cause.
+TEST(PlanSweep, MovesOneAxisAtATime) {
+  const Scene baseline;
+  for (const StudyAxis& row : axes()) {
+    if (!row.across.empty()) continue;  // swept around other baselines as well
+    for (const PlannedRun& run : planSweep("a-0", baseline, choose({row.name})).runs) {
+      if (run.kind != RunKind::axis) continue;
+      EXPECT_EQ(run.axis, row.name);
+      Scene back = run.scene;
+      EXPECT_EQ(row.valueOf(back), run.value);
+      row.apply(back, row.valueOf(baseline));
+      EXPECT_EQ(settingsKey(back), settingsKey(baseline)) << run.id;
+    }
+  }
+}
+
+TEST(PlanSweep, SweepsTheTableOfEachLookupThatHasOne) {
+  const SweepPlan plan = planSweep("a-0", Scene{}, choose({"table=16,128", "lookup"}));
+  std::set<std::string> swept;
+  for (const PlannedRun& run : plan.runs) {
+    if (run.axis != "table") continue;
+    EXPECT_EQ(run.scene.tableSize, 16) << run.id;  // 128 with each lookup is a run of the axis lookup
+    swept.insert(run.scene.lookup);
+  }
+  for (const Lookup& row : lookups()) {
+    Scene scene;
+    scene.lookup = row.name;
+    EXPECT_EQ(swept.contains(row.name), axis("table").applies(scene)) << row.name;
+  }
+}
+
+TEST(PlanSweep, SaysWhatItLeavesOut) {
+  Scene baseline;
+  baseline.lookup = "post";
+  const SweepPlan plan = planSweep("a-0", baseline, choose({"table=16,32", "k=2,99"}));
+  EXPECT_THAT(idsOf(plan.runs), UnorderedElementsAre("a-0/baseline", "a-0/paper", "a-0/k=2"));
+  EXPECT_THAT(plan.skipped, Contains(HasSubstr("table: has no effect")));
+  EXPECT_THAT(plan.skipped, Contains(HasSubstr("k=99: k is 99")));
+}
+
+std::map<std::string, CostError> measure(const SweepPlan& plan, CostError (*of)(const Scene&)) {
+  std::map<std::string, CostError> measured;
+  for (const PlannedRun& run : plan.runs) measured[run.id] = of(run.scene);
+  return measured;
+}
+
+/// k costs time only; a small table costs accuracy only.
+CostError madeUp(const Scene& scene) { return {scene.k * 1.0, scene.tableSize < 128 ? 1.0 / scene.tableSize : 1e-3}; }
+
+TEST(PlanCombinations, CombinesWhatIsNotDominated) {
+  const auto choices = choose({"k=1,2,6,14", "table=16,128,256"});
+  const SweepPlan plan = planSweep("a-0", Scene{}, choices);
+  // k 1 dominates the other k; of the tables, all that cost the same and err less than the others.
+  const auto runs = planCombinations(plan, choices, measure(plan, madeUp), 10);
+  EXPECT_THAT(idsOf(runs), UnorderedElementsAre("a-0/k=1,table=256"));
+  EXPECT_EQ(runs.at(0).kind, RunKind::front);
+  EXPECT_EQ(runs.at(0).scene.k, 1);
+  EXPECT_EQ(runs.at(0).scene.tableSize, 256);
+}
+
+TEST(PlanCombinations, KeepsToItsNumberAndToNewSettings) {
+  const auto choices = choose({"k=1,2,3,6,14", "table=8,16,32,64", "early-termination", "sort", "size=64,512"});
+  const SweepPlan plan = planSweep("a-0", Scene{}, choices);
+  const auto everyValueIsGood = [](const Scene& s) {
+    const double cost = s.k + 0.01 * s.tableSize - 2 * s.earlyTermination + (s.sort == "none" ? -1 : 0);
+    return CostError{20 + cost, 20 - cost};
+  };
+  const auto measured = measure(plan, everyValueIsGood);
+  std::set<std::string> known;
+  for (const PlannedRun& run : plan.runs) known.insert(settingsKey(run.scene));
+  for (const std::size_t most : {0u, 1u, 7u, 20u}) {
+    const auto runs = planCombinations(plan, choices, measured, most);
+    EXPECT_EQ(runs.size(), most);
+    std::set<std::string> own = known;
+    for (const PlannedRun& run : runs) {
+      EXPECT_TRUE(own.insert(settingsKey(run.scene)).second) << run.id;
+      EXPECT_EQ(run.scene.width, Scene{}.width) << "another size cannot be compared";
+    }
+  }
+}
+
+/// A study that was interrupted chooses again.
+TEST(PlanCombinations, IsTheSameForTheSameMeasurements) {
+  const auto choices = choose({"k", "table", "early-termination"});
+  const SweepPlan plan = planSweep("a-0", Scene{}, choices);
+  const auto measured = measure(plan, madeUp);
+  EXPECT_EQ(idsOf(planCombinations(plan, choices, measured, 5)), idsOf(planCombinations(plan, choices, measured, 5)));
+}
+
+TEST(PlanCombinations, NeedsABaselineThatCouldBeDrawn) {
+  const auto choices = choose({"k"});
+  EXPECT_THAT(planCombinations(planSweep("a-0", Scene{}, choices), choices, {}, 5), IsEmpty());
+}
+
+}  // namespace
+}  // namespace havs
