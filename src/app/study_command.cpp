@@ -8,6 +8,7 @@
 #include "app/scene_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
+#include "study/page.h"
 #include "study/study.h"
 
 namespace havs {
@@ -121,7 +122,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
     return command.add_option(name, variable, description)->type_name(value)->group(kGroup);
   };
   add("--out", options.folder, "DIR",
-      "Folder for study.json, study.csv, images/ and runs.jsonl, from which an interrupted study goes on")
+      "Folder for report.html, study.json, study.csv, images/ and runs.jsonl, from which an interrupted study goes on")
       ->required();
   add("--axis", options.axes, "NAME[=VALUE,...]",
       "What is varied, and its values; may be given several times (default: all: " + axesForHelp() + ")")
@@ -154,11 +155,13 @@ void addStudyCommand(CLI::App& program) {
   addStudyOptions(*command, *options);
   command->callback([options, command] {
     const StudyRequest request = requestOf(*options, *command);
-    const StudyReport report = runStudy(request, terminalProgress(options->quiet || options->json));
+    const StudyReport report = runStudy(request, terminalProgress(options->quiet));
+    if (hasStudyPage()) rewriteStudyPage(request.folder);
     if (options->json)
       fmt::print("{}", studyJson(report));
     else if (!options->quiet)
-      fmt::print("{}report    {}\n", studyText(report), (request.folder / "study.json").string());
+      fmt::print("{}report    {}\n", studyText(report),
+                 (request.folder / (hasStudyPage() ? "report.html" : "study.json")).string());
   });
 }
 

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/find_row.h"
 #include "render/lookups.h"
+#include "render/target_formats.h"
 #include "render/visibility.h"
 #include "sort/face_order.h"
 
@@ -35,8 +36,23 @@ Values namesOf(const Rows& rows) {
   return names;
 }
 
+/// Every lookup; one that takes a number with several of them, so that the order of its error can be seen.
+Values lookupNames(bool quick) {
+  Values names;
+  for (const Lookup& row : lookups()) {
+    const std::string example = exampleName(row);
+    if (row.parameter.empty() || quick) {
+      names.push_back(example);
+      continue;
+    }
+    for (const char* number : {"1", "2", "4", "8", "16"})
+      names.push_back(example.substr(0, example.find(':') + 1) + number);
+  }
+  return names;
+}
+
 bool always(const Scene&) { return true; }
-bool readsTable(const Scene& scene) { return lookup(scene.lookup).table == LookupTable::table3d; }
+bool readsTable(const Scene& scene) { return tableOf(lookup(scene.lookup)) != nullptr; }
 
 /// The longer side; the other follows.
 void applySize(Scene& scene, const std::string& value) {
@@ -84,7 +100,7 @@ StudyAxis sortAxis() {
 StudyAxis lookupAxis() {
   return {.name = "lookup",
           .title = "How a segment's colour is found",
-          .values = [](bool) { return namesOf(lookups()); },
+          .values = lookupNames,
           .apply = [](Scene& s, const std::string& value) { lookup(s.lookup = value); },
           .valueOf = [](const Scene& s) { return s.lookup; },
           .applies = always};
@@ -111,6 +127,15 @@ StudyAxis tableFormatAxis() {
           .apply = [](Scene& s, const std::string& value) { s.tableFormat = tableFormat(value).name; },
           .valueOf = [](const Scene& s) { return s.tableFormat; },
           .applies = readsTable};
+}
+
+StudyAxis targetFormatAxis() {
+  return {.name = "target-format",
+          .title = "Numbers of the k-buffer's targets",
+          .values = [](bool) { return namesOf(targetFormats()); },
+          .apply = [](Scene& s, const std::string& value) { s.targetFormat = targetFormat(value).name; },
+          .valueOf = [](const Scene& s) { return s.targetFormat; },
+          .applies = [](const Scene& s) { return visibilityMethod(s.visibility).maximumK > 0; }};
 }
 
 StudyAxis earlyTerminationAxis() {
@@ -172,9 +197,9 @@ AxisChoice parseChoice(const std::string& text, bool quick) {
 }  // namespace
 
 std::span<const StudyAxis> axes() {
-  static const std::vector<StudyAxis> rows{
-      kAxis(),           visibilityAxis(),       sortAxis(), lookupAxis(), tableAxis(),
-      tableFormatAxis(), earlyTerminationAxis(), sizeAxis()};
+  static const std::vector<StudyAxis> rows{kAxis(),     visibilityAxis(),  sortAxis(),         lookupAxis(),
+                                           tableAxis(), tableFormatAxis(), targetFormatAxis(), earlyTerminationAxis(),
+                                           sizeAxis()};
   return rows;
 }
 
@@ -207,7 +232,10 @@ std::string settingsLabel(const Scene& scene) {
   if (method.maximumK > 0) text += fmt::format(" k {}", scene.k);
   if (method.needsOrder) text += ", " + scene.sort;
   text += ", " + scene.lookup;
-  if (readsTable(scene)) text += fmt::format(" {}^3 {}", scene.tableSize, scene.tableFormat);
+  if (const LookupResource* table = tableOf(lookup(scene.lookup)))
+    text += fmt::format(" {}^{} {}", scene.tableSize, table->axes, scene.tableFormat);
+  if (method.maximumK > 0 && scene.targetFormat != Scene{}.targetFormat)
+    text += fmt::format(", targets {}", scene.targetFormat);
   if (scene.earlyTermination > 0) text += fmt::format(", ends at {}", scene.earlyTermination);
   if (scene.compositeLate) text += ", late composited";
   return text;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cmath>
 
 #include "core/error.h"
 #include "image/difference_picture.h"
@@ -29,8 +30,9 @@ namespace {
 /// What a renderer holds, at most, roughly: targets, fragments, table, vertices and faces.
 std::size_t bytesOf(const RenderPlan& plan, const PreparedScene& prepared) {
   const double targets = static_cast<double>(plan.bytesPerPixel) * plan.tileWidth * plan.tileHeight;
-  const double table =
-      static_cast<double>(plan.tableFormat.bytesPerEntry) * plan.tableSize * plan.tableSize * plan.tableSize;
+  const LookupResource* resource = tableOf(plan.lookup);
+  const double entries = resource != nullptr ? std::pow(plan.tableSize, resource->axes) : 0;
+  const double table = static_cast<double>(plan.tableFormat.bytesPerEntry) * entries;
   const double mesh =
       16.0 * static_cast<double>(prepared.points.size()) + 32.0 * static_cast<double>(prepared.faces.size());
   const double fragments = 16.0 * static_cast<double>(plan.mostFragments);
@@ -63,8 +65,8 @@ Image differenceOf(const Image& image, const Truth& truth) {
 /// A lookup without a table to be made: which fragments come late does not depend on it.
 std::string cheapestLookup() {
   for (const Lookup& row : lookups())
-    if (row.table == LookupTable::curve) return row.name;
-  return lookups().front().name;
+    if (tableOf(row) == nullptr) return exampleName(row);
+  return exampleName(lookups().front());
 }
 
 }  // namespace

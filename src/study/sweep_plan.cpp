@@ -147,7 +147,10 @@ SweepPlan planSweep(const std::string& subject, const Scene& baseline, std::span
   Scene paper = baseline;
   applyPaperPreset(paper);
   runs.add(RunKind::paper, "paper", paper);
-  for (const AxisChoice& choice : choices) sweep(runs, baseline, choice, choices);
+  // First what isolates an axis, so that a setting met twice is told as a value of that one.
+  for (const bool across : {false, true})
+    for (const AxisChoice& choice : choices)
+      if (choice.axis->across.empty() != across) sweep(runs, baseline, choice, choices);
   return plan;
 }
 

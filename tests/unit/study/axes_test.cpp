@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "render/lookups.h"
+#include "render/target_formats.h"
 #include "render/visibility.h"
 #include "sort/face_order.h"
 
@@ -84,11 +85,12 @@ std::vector<std::string> namesOf(const Rows& rows) {
 TEST(Axes, SweepTheRowsOfTheTablesOfMethods) {
   EXPECT_EQ(axis("visibility").values(false), namesOf(visibilityMethods()));
   EXPECT_EQ(axis("sort").values(false), namesOf(sortMethods()));
+  EXPECT_EQ(axis("target-format").values(false), namesOf(targetFormats()));
   EXPECT_EQ(axis("table-format").values(false), namesOf(tableFormats()));
   for (const Lookup& row : lookups()) {
     const auto values = axis("lookup").values(false);
     EXPECT_TRUE(std::any_of(values.begin(), values.end(), [&](const std::string& value) {
-      return lookup(value).name == row.name;
+      return lookup(value).shader == row.shader;
     })) << row.name;
   }
 }
