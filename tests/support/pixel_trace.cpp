@@ -32,13 +32,23 @@ double side(const Corner& a, const Corner& b, double x, double y) {
 }
 
 /// The side of the edge from a to b that the pixel's centre lies on, in exact arithmetic.
-template <class Corner, class Tie>
-int snappedSide(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y, const Tie& tie) {
-  const std::int64_t dx = b.snappedX - a.snappedX, dy = b.snappedY - a.snappedY;
-  std::int64_t value = dx * (y - a.snappedY) - dy * (x - a.snappedX);
+template <class Point, class Tie>
+int snappedSide(const Point& a, const Point& b, std::int64_t x, std::int64_t y, const Tie& tie) {
+  const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
+  std::int64_t value = dx * (y - a.y) - dy * (x - a.x);
   if (value == 0) value = -dy * tie.x;
   if (value == 0) value = dx * tie.y;
   return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+/// Pixels to the grid's steps, before they are rounded.
+double gridPlace(double pixels) { return kSteps * (pixels - 0.5); }
+
+/// The other step that a place this near to halfway may be rounded to; the same one where there is no doubt.
+std::int64_t otherStep(double place, double doubt) {
+  const auto nearest = std::llround(place);
+  const auto other = nearest + (place > static_cast<double>(nearest) ? 1 : -1);
+  return std::abs(place - static_cast<double>(nearest)) > 0.5 - doubt ? other : nearest;
 }
 
 RayColor pixelOf(const Image& image, int x, int y) {
@@ -51,8 +61,8 @@ RayColor pixelOf(const Image& image, int x, int y) {
 PixelTracer::PixelTracer(const PreparedScene& prepared, const View& view) : prepared_(prepared), view_(view) {
   for (const Vec3& p : prepared.points) {
     const Vec3 q = view.project(p);
-    corners_.push_back({q.x, q.y, std::llround(kSteps * (q.x - 0.5)), std::llround(kSteps * (q.y - 0.5)),
-                        view.orthographic ? 1.0 : 1.0 / q.z, view.depth(p)});
+    corners_.push_back({q.x, q.y, view.orthographic ? 1.0 : 1.0 / q.z, view.depth(p)});
+    snapped_.push_back({std::llround(gridPlace(q.x)), std::llround(gridPlace(q.y))});
   }
   // Clip coordinates are sums of four float products, and the planes of interpolation are solved for in float over
   // coordinates as large as the picture: a few units in the last place of its size.
@@ -84,11 +94,23 @@ bool PixelTracer::covers(Index face, double x, double y) const {
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-bool PixelTracer::coversSnapped(Index face, int pixelX, int pixelY, const Tie& tie) const {
-  const auto [a, b, c] = cornersOf(face);
+bool PixelTracer::coversSnapped(Index face, int pixelX, int pixelY, const Tie& tie, const GridMoves& moves) const {
+  std::array<GridPoint, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index corner = prepared_.faces.vertices[face][i];
+    const auto moved = moves.find(corner);
+    p[i] = moved == moves.end() ? snapped_[corner] : moved->second;
+  }
   const std::int64_t x = kSteps * std::int64_t{pixelX}, y = kSteps * std::int64_t{pixelY};
-  const int ab = snappedSide(a, b, x, y, tie), bc = snappedSide(b, c, x, y, tie), ca = snappedSide(c, a, x, y, tie);
-  return ab != 0 && ab == bc && bc == ca;
+  const int first = snappedSide(p[0], p[1], x, y, tie);
+  return first != 0 && first == snappedSide(p[1], p[2], x, y, tie) && first == snappedSide(p[2], p[0], x, y, tie);
+}
+
+double PixelTracer::distanceToEdge(Index face, double x, double y) const {
+  const auto [a, b, c] = cornersOf(face);
+  const Vec2 centre{x, y}, pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
+  return std::min(
+      {distanceToSegment(centre, pa, pb), distanceToSegment(centre, pb, pc), distanceToSegment(centre, pc, pa)});
 }
 
 /// The plane of the face at one place of the picture, taken for a fragment of the pixel at another.
@@ -144,10 +166,7 @@ TracedFragment PixelTracer::describe(const Fragment& fragment, double x, double 
   const double slope = (std::abs(distanceAt(kStep, 0) - distanceAt(-kStep, 0)) +
                         std::abs(distanceAt(0, kStep) - distanceAt(0, -kStep))) /
                        (2 * kStep);
-  const auto [a, b, c] = cornersOf(fragment.face);
-  const Vec2 centre{x, y}, pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
-  const double edge = std::min(
-      {distanceToSegment(centre, pa, pb), distanceToSegment(centre, pb, pc), distanceToSegment(centre, pc, pa)});
+  const double edge = distanceToEdge(fragment.face, x, y);
   constexpr double kDegrees = 57.29577951308232;
   return {fragment.face,
           fragment.kind,
@@ -186,20 +205,47 @@ TracedRay PixelTracer::traceRay(const std::vector<Index>& faces, double x, doubl
   return ray;
 }
 
-/// Of a pixel's centre on an edge of the grid the rasteriser's rule decides, which need not be known: the rule whose
-/// colour is nearest to what was seen.
+TracedRay PixelTracer::snappedRay(const std::vector<Index>& near, int x, int y, const Tie& tie,
+                                  const GridMoves& moves) const {
+  std::vector<Index> faces;
+  for (const Index face : near)
+    if (coversSnapped(face, x, y, tie, moves)) faces.push_back(face);
+  return traceRay(faces, x + 0.5, y + 0.5);
+}
+
+/// Corners of faces that have an edge beside the pixel's centre, halfway between two steps as far as float can tell,
+/// with the step that the nearest one is not.
+std::vector<std::pair<Index, PixelTracer::GridPoint>> PixelTracer::doubtfulCorners(const std::vector<Index>& near,
+                                                                                   double x, double y) const {
+  std::map<Index, GridPoint> doubtful;
+  for (const Index face : near) {
+    if (distanceToEdge(face, x, y) > 2.0 / kSteps) continue;
+    for (const Index corner : prepared_.faces.vertices[face]) {
+      const double doubt = kSteps * floatPixels_;
+      const GridPoint other{otherStep(gridPlace(corners_[corner].x), doubt),
+                            otherStep(gridPlace(corners_[corner].y), doubt)};
+      if (other.x != snapped_[corner].x || other.y != snapped_[corner].y) doubtful[corner] = other;
+    }
+  }
+  return {doubtful.begin(), doubtful.end()};
+}
+
+/// The colour nearest to what was seen, over what cannot be known of the rasteriser: its rule for a centre on an edge,
+/// and the step that float coordinates halfway between two were rounded to (these are tried one by one).
 TracedRay PixelTracer::nearestSnapped(const std::vector<Index>& near, int x, int y, const RayColor& seen) const {
   TracedRay nearest;
   double least = 1e300;
-  for (const Tie& tie : {Tie{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-    std::vector<Index> faces;
-    for (const Index face : near)
-      if (coversSnapped(face, x, y, tie)) faces.push_back(face);
-    TracedRay ray = traceRay(faces, x + 0.5, y + 0.5);
-    if (difference(ray.color, seen) >= least) continue;
+  const auto consider = [&](const Tie& tie, const GridMoves& moves) {
+    TracedRay ray = snappedRay(near, x, y, tie, moves);
+    if (difference(ray.color, seen) >= least) return;
     least = difference(ray.color, seen);
     nearest = std::move(ray);
-  }
+  };
+  const std::array<Tie, 4> ties{{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+  for (const Tie& tie : ties) consider(tie, {});
+  if (least <= nearest.floatEffect) return nearest;
+  for (const auto& [corner, other] : doubtfulCorners(near, x + 0.5, y + 0.5))
+    for (const Tie& tie : ties) consider(tie, {{corner, other}});
   return nearest;
 }
 

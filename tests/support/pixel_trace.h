@@ -3,7 +3,9 @@
 // the pixel's colour moves when the rasteriser's roundings are put into them.
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/ray_color.h"
@@ -63,11 +65,16 @@ class PixelTracer {
 
  private:
   struct Corner {
-    double x, y;                      ///< pixels
-    std::int64_t snappedX, snappedY;  ///< 1/256 pixel, from the centre of the first pixel
-    double nearness;                  ///< 1 / distance along the view from the eye; orthographic: 1
+    double x, y;      ///< pixels
+    double nearness;  ///< 1 / distance along the view from the eye; orthographic: 1
     double depth;
   };
+  /// A place on the rasteriser's grid, in 1/256 pixel from the centre of the first pixel.
+  struct GridPoint {
+    std::int64_t x, y;
+  };
+  /// Corners by number, and where they are instead.
+  using GridMoves = std::map<Index, GridPoint>;
   struct Fragment {
     Index face;
     int kind;
@@ -81,19 +88,23 @@ class PixelTracer {
   std::array<Corner, 3> cornersOf(Index face) const;
   std::vector<Index> facesNear(double x, double y) const;
   bool covers(Index face, double x, double y) const;
-  bool coversSnapped(Index face, int pixelX, int pixelY, const Tie& tie) const;
+  double distanceToEdge(Index face, double x, double y) const;
+  bool coversSnapped(Index face, int pixelX, int pixelY, const Tie& tie, const GridMoves& moves) const;
+  std::vector<std::pair<Index, GridPoint>> doubtfulCorners(const std::vector<Index>& near, double x, double y) const;
   Fragment fragmentAt(Index face, double planeX, double planeY, double pixelX, double pixelY) const;
   RayColor composite(std::vector<Fragment> fragments) const;
   TracedFragment describe(const Fragment& fragment, double x, double y) const;
   double effectOf(const std::vector<Fragment>& fragments, std::size_t moved, double x, double y,
                   const RayColor& unmoved) const;
   TracedRay traceRay(const std::vector<Index>& faces, double x, double y) const;
+  TracedRay snappedRay(const std::vector<Index>& near, int x, int y, const Tie& tie, const GridMoves& moves) const;
   TracedRay nearestSnapped(const std::vector<Index>& near, int x, int y, const RayColor& seen) const;
 
   const PreparedScene& prepared_;
   const View& view_;
   std::vector<Corner> corners_;
-  double floatPixels_;  ///< error of a corner's place in float
+  std::vector<GridPoint> snapped_;  ///< of corners_
+  double floatPixels_;              ///< error of a corner's place in float
 };
 
 /// One line: the pixel, and what explains it.
