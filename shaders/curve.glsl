@@ -1,9 +1,16 @@
-// The transfer function along the scalar: colour and extinction (per local unit), evenly sampled, linear between
-// samples.
-#ifndef HAVS_CURVE
-#define HAVS_CURVE
-uniform sampler2D curve;
-uniform vec2 curveScaleBias;  // half-texel correction: sample 0 at scalar 0, the last at 1
+// The fetch functions of core/curve.glsl and core/integral_functions.glsl: the packed curve
+// (src/transfer/packed_curve.h) in buffer textures.
+uniform samplerBuffer curvePieces;
+uniform samplerBuffer curveGuide;
+uniform samplerBuffer curveIntegrals;
+uniform float guideCells;
 
-vec4 curveAt(float scalar) { return texture(curve, vec2(scalar * curveScaleBias.x + curveScaleBias.y, 0.5)); }
-#endif
+float pieceNear(float s) { return texelFetch(curveGuide, int(min(s * guideCells, guideCells - 1.0))).r; }
+vec4 piecePlace(float piece) { return texelFetch(curvePieces, 3 * int(piece)); }
+vec4 pieceLow(float piece) { return texelFetch(curvePieces, 3 * int(piece) + 1); }
+vec4 pieceHigh(float piece) { return texelFetch(curvePieces, 3 * int(piece) + 2); }
+vec4 pieceExtinction(float piece) { return texelFetch(curveIntegrals, 3 * int(piece)); }
+vec4 lightHead(float piece) { return texelFetch(curveIntegrals, 3 * int(piece) + 1); }
+vec4 lightTail(float piece) { return texelFetch(curveIntegrals, 3 * int(piece) + 2); }
+
+#include "core/curve.glsl"

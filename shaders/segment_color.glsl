@@ -6,6 +6,9 @@
 #endif
 
 Rgba segmentColor(Segment segment) {
+  // Nothing to look up where nothing shows: a lookup with a loop is done with it at once.
+  segment.length = segment.visible ? segment.length : 0.0;
+  segment.scalarBack = segment.visible ? segment.scalarBack : segment.scalarFront;
 #ifdef HAVS_CELL_DATA
   segment.scalarBack = segment.scalarFront;
 #endif

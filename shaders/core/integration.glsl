@@ -57,10 +57,9 @@ CONSTANT Scalar kDepthLimit = Scalar(1.0e15);              // its square is fini
 
 FUNCTION Real atMost(Real value, Real limit) { return select(value < limit, value, limit); }
 
-// Fraction of the way, at most 1, at which the optical depth reaches kDeepest: the root in a form that does not cancel.
-FUNCTION Real reachOfLight(Real opticalFront, Real opticalBack) {
+// Fraction of the way, at most 1, at which the optical depth reaches `deepest`: the root in a form that does not cancel.
+FUNCTION Real reachOfDepth(Real opticalFront, Real opticalBack, Real deepest) {
   Real depth = Real(0.5) * (opticalFront + opticalBack);
-  Real deepest = Real(kDeepest);
   Real radicand = opticalFront * opticalFront + Real(2.0) * (opticalBack - opticalFront) * deepest;
   Real root = squareRoot(select(radicand > Real(0.0), radicand, Real(0.0)));
   Real deep = select(depth > deepest, opticalFront + root, Real(2.0) * deepest);
@@ -72,7 +71,7 @@ FUNCTION Real reachOfLight(Real opticalFront, Real opticalBack) {
 FUNCTION SegmentWeights weightsByRule(Real opticalFront, Real opticalBack, int first, int count) {
   Real atFront = atMost(opticalFront, Real(kDepthLimit));
   Real atBack = atMost(opticalBack, Real(kDepthLimit));
-  Real reach = reachOfLight(atFront, atBack);
+  Real reach = reachOfDepth(atFront, atBack, Real(kDeepest));
   Real front = Real(0.0);
   Real back = Real(0.0);
   for (int i = first; i < first + count; ++i) {
@@ -104,6 +103,12 @@ FUNCTION Rgba weightedColor(Rgba front, Rgba back, SegmentWeights w) {
 // The exact colour, premultiplied, of a piece on which (r, g, b, kappa) goes linearly from `front` to `back`.
 FUNCTION Rgba linearPiece(Rgba front, Rgba back, Real length) {
   return weightedColor(front, back, segmentWeights(front.a * length, back.a * length));
+}
+
+// `color`, not premultiplied, seen with the opacity of an optical depth.
+FUNCTION Rgba layerOfDepth(Rgba color, Real depth) {
+  Real alpha = -expm1OfNegative(-depth);
+  return Rgba(color.r * alpha, color.g * alpha, color.b * alpha, alpha);
 }
 
 // The colour of a segment known at its ends only (lookup `post`): extinction by the trapezoidal rule, the ends' colours

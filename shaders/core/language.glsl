@@ -2,6 +2,10 @@
 // C++. Rules of the subset: no branch on varying data but select(); loops with uniform bounds; typed literals
 // Real(0.5); masks joined by && || !; no fma; own exp and expm1; constants (arrays too) are CONSTANT Scalar, one number
 // for all lanes, made Real where they are used.
+// PRECISE marks what an optimiser must not rearrange.
+// Tables: a TABLE_FUNCTION takes TABLES as its first parameter, hands WITH_TABLES on, and calls TABLE(fetch)(...), one of
+// the few fetch functions that each side supplies. Loops whose length differs between lanes end with
+// while (anyLane(mask)); lanes that are done must not change any more.
 #define Real float
 #define Scalar float
 #define Mask bool
@@ -10,6 +14,11 @@
 #define INOUT(T) inout T
 #define OUT(T) out T
 #define CONSTANT const
+#define PRECISE precise
+#define TABLE_FUNCTION
+#define TABLES
+#define WITH_TABLES
+#define TABLE(fetch) fetch
 const bool kDouble = false;  // true where Real has 53 bits
 
 Real select(Mask condition, Real yes, Real no) { return mix(no, yes, condition); }
@@ -18,3 +27,5 @@ Real select(Mask condition, Real yes, Real no) { return mix(no, yes, condition);
 Real exp2Integral(Real n) { return intBitsToFloat((int(n) + 127) << 23); }
 Real roundToIntegral(Real x) { return roundEven(x); }
 Real squareRoot(Real x) { return sqrt(x); }
+Real absolute(Real x) { return abs(x); }
+bool anyLane(Mask mask) { return mask; }

@@ -4,7 +4,5 @@
 #include "core/integration.glsl"
 
 Rgba lookUp(Segment segment) {
-  vec4 front = curveAt(segment.scalarFront);
-  vec4 back = curveAt(segment.scalarBack);
-  return trapezoidSegment(front, back, segment.length);
+  return trapezoidSegment(curveAt(segment.scalarFront), curveAt(segment.scalarBack), segment.length);
 }

@@ -106,8 +106,8 @@ std::string describeTransfer(const RenderReport& report) {
 
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
-  const bool hasTable = lookup(scene.lookup).table == LookupTable::table3d;
-  const std::string table = hasTable ? fmt::format(" ({}^3, {})", scene.tableSize, scene.tableFormat) : "";
+  const LookupResource* made = tableOf(lookup(scene.lookup));
+  const std::string table = made ? fmt::format(" ({}^{}, {})", scene.tableSize, made->axes, scene.tableFormat) : "";
   return fmt::format("{} of {}, {} order, lookup {}{}, on {} ({})", scene.visibility, scene.k, scene.sort, scene.lookup,
                      table, scene.device, report.renderer);
 }

@@ -17,6 +17,8 @@ struct FloatLane {
   static Real exp2Integral(Real n) { return std::bit_cast<float>((static_cast<std::int32_t>(n) + 127) << 23); }
   static Real roundToIntegral(Real x) { return (x + 0x1.8p23f) - 0x1.8p23f; }  // |x| < 2^22; ties to even
   static Real squareRoot(Real x) { return std::sqrt(x); }
+  static Real absolute(Real x) { return std::abs(x); }
+  static bool anyLane(Mask mask) { return mask; }
 };
 
 struct DoubleLane {
@@ -28,12 +30,22 @@ struct DoubleLane {
   static Real exp2Integral(Real n) { return std::bit_cast<double>((static_cast<std::int64_t>(n) + 1023) << 52); }
   static Real roundToIntegral(Real x) { return (x + 0x1.8p52) - 0x1.8p52; }  // |x| < 2^51; ties to even
   static Real squareRoot(Real x) { return std::sqrt(x); }
+  static Real absolute(Real x) { return std::abs(x); }
+  static bool anyLane(Mask mask) { return mask; }
 };
 
 #define FUNCTION static inline
 #define INOUT(T) T&
 #define OUT(T) T&
 #define CONSTANT static constexpr
+#define PRECISE
+// The object that fetches from tables comes first: CurveFetch of transfer/packed_curve.h, for instance.
+#define TABLE_FUNCTION    \
+  template <class Tables> \
+  static inline
+#define TABLES const Tables &tables,
+#define WITH_TABLES tables,
+#define TABLE(fetch) tables.fetch
 
 template <class Lane, int K = 1>
 struct Arithmetic {
@@ -60,17 +72,30 @@ struct Arithmetic {
   static Real exp2Integral(Real n) { return Lane::exp2Integral(n); }
   static Real roundToIntegral(Real x) { return Lane::roundToIntegral(x); }
   static Real squareRoot(Real x) { return Lane::squareRoot(x); }
+  static Real absolute(Real x) { return Lane::absolute(x); }
+  static bool anyLane(Mask mask) { return Lane::anyLane(mask); }
 
 #include "core/compositing.glsl"
+#include "core/curve.glsl"
 #include "core/exponential.glsl"
-#include "core/integration.glsl"
 #include "core/kbuffer.glsl"
 #include "core/opaque.glsl"
+// what uses the types of the above
+#include "core/integration.glsl"
+// what uses the types of that
+#include "core/exact.glsl"
+#include "core/integral_functions.glsl"
+#include "core/riemann.glsl"
 };
 
 #undef FUNCTION
 #undef INOUT
 #undef OUT
 #undef CONSTANT
+#undef PRECISE
+#undef TABLE_FUNCTION
+#undef TABLES
+#undef WITH_TABLES
+#undef TABLE
 
 }  // namespace havs

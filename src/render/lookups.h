@@ -1,5 +1,5 @@
 #pragma once
-// The tables of lookups and of the number formats of their tables (docs/06-add-a-method.md).
+// The tables of lookups, of what they read, and of the number formats of their tables (docs/06-add-a-method.md).
 #include <cstddef>
 #include <span>
 #include <string>
@@ -7,29 +7,48 @@
 
 namespace havs {
 
-/// What a lookup reads besides the segment.
-enum class LookupTable {
-  curve,   ///< the transfer function itself, sampled along the scalar: colour and extinction
-  table3d  ///< the pre-integrated table over (front scalar, back scalar, length)
+struct ResourceInput;
+struct ResourceTextures;
+
+/// One row of the table of what shaders read besides the segment.
+struct LookupResource {
+  std::string name;
+  std::string description;
+  int axes = 0;         ///< of a table whose size and number format can be chosen; 0: no such table
+  int largestSize = 0;  ///< entries along each axis, 2 at the least
+  /// Makes the textures (render/gl/lookup_resources.h). A context must be current.
+  ResourceTextures (*make)(const ResourceInput& input) = nullptr;
 };
+std::span<const LookupResource> lookupResources();
+/// Throws Error{running}: rows name them, users do not.
+const LookupResource& lookupResource(const std::string& name);
 
 /// One row of the table of lookups (`--lookup`).
 struct Lookup {
-  std::string name;
+  std::string name;  ///< of a chosen lookup with its number: "riemann:8"
   std::string description;
-  std::string shader;  ///< file below shaders/ that defines lookUp(Segment)
-  LookupTable table;
+  std::string shader;                  ///< file below shaders/ that defines lookUp(Segment)
+  std::vector<std::string> resources;  ///< rows of lookupResources() that the shader reads
+  std::string parameter;               ///< what a number behind its name and a colon stands for; empty: takes none
+  int number = 0;                      ///< that number, of a chosen lookup; HAVS_LOOKUP_NUMBER in the shader
 };
+/// The rows; a name ends with ":n" where a number belongs to it.
 std::span<const Lookup> lookups();
-/// Throws Error{input}, naming the nearest.
-const Lookup& lookup(const std::string& name);
+/// The row of a name, its number read ("riemann:8"). Throws Error{input} for an unknown name, naming the nearest, and
+/// for a number that is missing, not one, or not from 1 to 256.
+Lookup lookup(const std::string& name);
+/// A name that the row can be chosen by: its own, with the number 8 where it takes one.
+std::string exampleName(const Lookup& row);
+/// The table of a lookup whose size and format can be chosen; null where it has none.
+const LookupResource* tableOf(const Lookup& lookup);
 
-/// One row of the table of number formats of the 3D table (`--table-format`).
+/// One row of the table of number formats of tables (`--table-format`).
 struct TableFormat {
   std::string name;
   std::string description;
   std::size_t bytesPerEntry = 0;
-  bool eightBits = false;  ///< unsigned normalised bytes, which the shader filters itself; else floats
+  unsigned internalFormat = 0;  ///< OpenGL's name of it
+  bool filteredInShader = false;
 };
 std::span<const TableFormat> tableFormats();
 /// Throws Error{input}, naming the nearest.

@@ -12,21 +12,33 @@ namespace {
 constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a tile
 constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
 constexpr int kLargestSide = 1 << 17;
-constexpr int kSmallestTable = 2, kLargestTable = 512;
+constexpr int kSmallestTable = 2;
+
+/// Adds a resource, and its table's size and format where it has one.
+void addResource(RenderPlan& result, const std::string& name, const Scene& scene, const Capabilities& capabilities) {
+  const LookupResource& resource = lookupResource(name);
+  for (const LookupResource& other : result.resources)
+    if (other.name == name) return;
+  result.resources.push_back(resource);
+  if (resource.axes == 0) return;
+  result.tableFormat = tableFormat(scene.tableFormat);
+  result.tableSize = scene.tableSize;
+  if (result.tableFormat.filteredInShader) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
+  const int most = resource.axes == 3 ? capabilities.maximum3dTextureSize : capabilities.maximumTextureSize;
+  if (scene.tableSize > most)
+    failRunning("a table of " + std::to_string(scene.tableSize) + "^" + std::to_string(resource.axes) +
+                    " is larger than this OpenGL's textures (" + std::to_string(most) + ")",
+                "", "choose a smaller one");
+}
 
 void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
   result.lookup = lookup(scene.lookup);
-  result.needsCurveTexture = result.lookup.table == LookupTable::curve || facts.opaqueSurfaces;
+  if (result.lookup.number > 0) result.defines.push_back({"HAVS_LOOKUP_NUMBER", std::to_string(result.lookup.number)});
   if (facts.cellData) result.defines.push_back({"HAVS_CELL_DATA", "1"});
   if (facts.opaqueSurfaces) result.defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
-  if (result.lookup.table != LookupTable::table3d) return;
-  result.tableFormat = tableFormat(scene.tableFormat);
-  result.tableSize = scene.tableSize;
-  if (result.tableFormat.eightBits) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
-  if (scene.tableSize > capabilities.maximum3dTextureSize)
-    failRunning("a table of " + std::to_string(scene.tableSize) + "^3 is larger than this OpenGL's 3D textures (" +
-                    std::to_string(capabilities.maximum3dTextureSize) + ")",
-                "", "choose a smaller one");
+  for (const std::string& name : result.lookup.resources) addResource(result, name, scene, capabilities);
+  if (facts.opaqueSurfaces)
+    for (const char* name : {"curve", "opaque intervals"}) addResource(result, name, scene, capabilities);
 }
 
 /// The extension among those that the method can use, where it needs one.
@@ -64,10 +76,9 @@ void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   if (method.maximumK > 0) checkRange(scene.k, 1, method.maximumK, "k");
   sortMethod(scene.sort);
-  const Lookup& row = lookup(scene.lookup);
-  if (row.table == LookupTable::table3d) {
+  if (const LookupResource* table = tableOf(lookup(scene.lookup))) {
     tableFormat(scene.tableFormat);
-    checkRange(scene.tableSize, kSmallestTable, kLargestTable, "the table's size");
+    checkRange(scene.tableSize, kSmallestTable, table->largestSize, "the table's size");
   }
   checkRange(scene.width, 1, kLargestSide, "the picture's width");
   checkRange(scene.height, 1, kLargestSide, "the picture's height");

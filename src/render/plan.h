@@ -30,6 +30,7 @@ struct RenderPlan {
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
   std::string sort;      ///< row of sortMethods(); empty: faces need no order
   Lookup lookup;
+  std::vector<LookupResource> resources;  ///< all that shaders read besides the segment
   TableFormat tableFormat;
   int tableSize = 0;
   int k = 0;
@@ -42,7 +43,6 @@ struct RenderPlan {
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool certificate = false;
-  bool needsCurveTexture = false;
 };
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table

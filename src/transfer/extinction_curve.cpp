@@ -162,4 +162,25 @@ ExtinctionCurve withoutOpaque(const ExtinctionCurve& curve) {
   return bridged;
 }
 
+ExtinctionCurve withSurfaceColors(const ExtinctionCurve& curve) {
+  const ExtinctionCurve bridged = withoutOpaque(curve);
+  ExtinctionCurve merged = bridged;
+  for (const auto& [low, high] : curve.opaque) {
+    std::vector<ExtinctionCurve::Knot> inside;
+    for (std::size_t i = 0; i < curve.knots.size(); ++i) {
+      ExtinctionCurve::Knot k = curve.knots[i];
+      const bool below =
+          k.s == low && i + 1 < curve.knots.size() && curve.knots[i + 1].s == low;  // a step's outer side
+      const bool above = k.s == high && i > 0 && curve.knots[i - 1].s == high;
+      if (k.s < low || k.s > high || (low < high && (below || above))) continue;
+      k.kappa = bridged.at(k.s).kappa;
+      inside.push_back(k);
+    }
+    auto& knots = merged.knots;
+    const auto after = std::find_if(knots.rbegin(), knots.rend(), [high = high](const auto& k) { return k.s == high; });
+    knots.insert(std::prev(after.base()), inside.begin(), inside.end());
+  }
+  return merged;
+}
+
 }  // namespace havs

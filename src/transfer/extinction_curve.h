@@ -45,4 +45,7 @@ ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& 
 /// end at an opaque surface see of it. Tables made from it are not smeared by the step up to the surface.
 ExtinctionCurve withoutOpaque(const ExtinctionCurve& curve);
 
+/// The same with the colours of the opaque intervals in them: what lies before an opaque surface, and the surface.
+ExtinctionCurve withSurfaceColors(const ExtinctionCurve& curve);
+
 }  // namespace havs

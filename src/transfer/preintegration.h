@@ -35,7 +35,8 @@ struct Table3d {
 /// threads.
 Table3d buildTable3d(const ExtinctionCurve& curve, int size, double maximumLength, const Progress& progress = {});
 
-/// Entries as 8-bit RGBA, round(255 x), in the same order.
-std::vector<unsigned char> toRgba8(const Table3d& table);
+/// Brings a table of the curve `before` up to date with `after`, bit for bit what buildTable3d gives: only entries
+/// whose [min(front, back), max(front, back)] the change touches are built.
+void rebuildTable3d(Table3d& table, const ExtinctionCurve& before, const ExtinctionCurve& after);
 
 }  // namespace havs

@@ -30,6 +30,9 @@ struct Options {
   std::string switches = "pqa1.9e-6";
   std::string field;
   std::string transferFunction = "viridis";
+  std::string lookup = Scene{}.lookup;
+  int tableSize = Scene{}.tableSize;
+  std::string tableFormat = Scene{}.tableFormat;
   int size = 1024;
   int k = 6;
   int repeat = 7;
@@ -108,6 +111,9 @@ Scene sceneOf(const Options& options) {
   Scene scene;
   scene.transferFunction = options.transferFunction;
   scene.field = options.field;
+  scene.lookup = options.lookup;
+  scene.tableSize = options.tableSize;
+  scene.tableFormat = options.tableFormat;
   scene.width = scene.height = options.size;
   scene.k = options.k;
   return scene;
@@ -160,6 +166,9 @@ nlohmann::ordered_json measure(const Options& options) {
   json["fragments"] = additive.fragments();
   json["size"] = options.size;
   json["k"] = options.k;
+  json["lookup"] = options.lookup;
+  json["table_size"] = options.tableSize;
+  json["table_format"] = options.tableFormat;
   json["repeat"] = options.repeat;
   json["renderer"] = device->renderer();
   json["threads"] = threadCount();
@@ -195,6 +204,9 @@ int main(int argc, char** argv) {
   app.add_option("--tetgen", options.switches, "TetGen's switches")->capture_default_str();
   app.add_option("--field", options.field, "a field of the mesh; default an expression");
   app.add_option("--tf", options.transferFunction, "transfer function")->capture_default_str();
+  app.add_option("--lookup", options.lookup, "how a segment's colour is found")->capture_default_str();
+  app.add_option("--table", options.tableSize, "entries along each axis of the table")->capture_default_str();
+  app.add_option("--table-format", options.tableFormat, "numbers of the table")->capture_default_str();
   app.add_option("--size", options.size, "pixels along each side")->capture_default_str();
   app.add_option("--k", options.k, "entries of the k-buffer")->capture_default_str();
   app.add_option("--repeat", options.repeat, "counted frames")->capture_default_str();

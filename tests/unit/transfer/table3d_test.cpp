@@ -140,10 +140,5 @@ TEST(Table3d, ProgressReachesTheEnd) {
   EXPECT_EQ(told.back(), 1);
 }
 
-TEST(Table3d, EightBitsAreRounded) {
-  Table3d table{.size = 2, .maximumLength = 1, .rgba = {0, 1, 0.5F, 0.001F, 0.00197F, 0.998F, 0.9981F, 0.2F}};
-  EXPECT_EQ(toRgba8(table), (std::vector<unsigned char>{0, 255, 128, 0, 1, 254, 255, 51}));
-}
-
 }  // namespace
 }  // namespace havs

@@ -1,0 +1,7 @@
+// No table of colours: the segment is cut at the knots of the transfer function and integrated piece by piece.
+#include "curve.glsl"
+#include "core/exponential.glsl"
+#include "core/integration.glsl"
+#include "core/exact.glsl"
+
+Rgba lookUp(Segment segment) { return exactSegment(segment.scalarFront, segment.scalarBack, segment.length); }

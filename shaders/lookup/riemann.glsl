@@ -1,0 +1,9 @@
+// A Riemann sum over the segment, the opacity of each step corrected for its length.
+#include "curve.glsl"
+#include "core/exponential.glsl"
+#include "core/integration.glsl"
+#include "core/riemann.glsl"
+
+Rgba lookUp(Segment segment) {
+  return riemannSegment(segment.scalarFront, segment.scalarBack, segment.length, HAVS_LOOKUP_NUMBER);
+}
