@@ -32,12 +32,16 @@ Scene checkedScene(const PictureOptions& options) {
   return scene;
 }
 
-void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report) {
+void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report,
+             const MaxErrorReport* error) {
   for (const auto& output : options.outputs) writeImage(report.image, output, {scene.background, options.pngBits});
-  if (options.json)
-    printJson(reportAsJson(scene, report, options.outputs));
-  else if (!options.quiet)
-    fmt::print("{}", reportAsText(scene, report, options.outputs));
+  if (options.json) {
+    nlohmann::ordered_json json = reportAsJson(scene, report, options.outputs);
+    if (error != nullptr) json["max_error"] = errorAsJson(*error);
+    printJson(json);
+  } else if (!options.quiet) {
+    fmt::print("{}{}", reportAsText(scene, report, options.outputs), error != nullptr ? errorAsText(*error) : "");
+  }
 }
 
 }  // namespace havs

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/max_error.h"
 #include "app/scene_options.h"
 #include "render/render_scene.h"
 
@@ -26,7 +27,8 @@ void addPictureOptions(CLI::App& command, PictureOptions& options);
 /// written.
 Scene checkedScene(const PictureOptions& options);
 
-/// Writes the pictures and prints the report that was asked for. Throws Error.
-void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report);
+/// Writes the pictures and prints the report that was asked for; `error`: of `havs render --max-error`. Throws Error.
+void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report,
+             const MaxErrorReport* error = nullptr);
 
 }  // namespace havs

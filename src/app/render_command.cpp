@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/max_error.h"
 #include "app/picture_options.h"
 #include "core/error.h"
 #include "core/progress.h"
@@ -16,6 +17,7 @@ struct RenderOptions {
   PictureOptions picture;
   bool certificate = false;
   std::filesystem::path certificateMask;  ///< empty: none
+  MaxErrorOptions maxError;
 };
 
 void addCertificateOptions(CLI::App& command, RenderOptions& options) {
@@ -40,9 +42,13 @@ void render(const RenderOptions& options) {
   const bool wantsMask = !options.certificateMask.empty();
   if (options.certificate || wantsMask) scene.certificate = true;
   if (wantsMask) checkImagePath(options.certificateMask);
-  const RenderReport report = renderScene(scene, terminalProgress(options.picture.quiet));
+  const Progress progress = terminalProgress(options.picture.quiet);
+  const std::optional<ErrorGoal> goal = goalOf(options.maxError);
+  MaxErrorReport error;
+  const RenderReport report =
+      goal ? renderWithin(*goal, options.maxError.verify, scene, error, progress) : renderScene(scene, progress);
   if (wantsMask) writeCertificateMask(scene, report, options.certificateMask);
-  deliver(options.picture, scene, report);
+  deliver(options.picture, scene, report, goal ? &error : nullptr);
 }
 
 }  // namespace
@@ -52,6 +58,7 @@ void addRenderCommand(CLI::App& program) {
   auto options = std::make_shared<RenderOptions>();
   addPictureOptions(*command, options->picture);
   addCertificateOptions(*command, *options);
+  addMaxErrorOptions(*command, options->maxError);
   command->callback([options] { render(*options); });
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/parallel.h"
@@ -76,16 +78,21 @@ void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, Re
   if (progress && scene.repeat > 1) progress("drawing", 1.0);
 }
 
-/// What every way of drawing a scene goes through; draw(prepared, view, report) is its own.
+/// What every way of drawing a scene goes through; draw(prepared, view, report) is its own. `ready`: the scene
+/// prepared, where it is already.
 template <class Draw>
-RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& draw) {
+RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& draw,
+                      const PreparedScene* ready = nullptr, const StageTimes& before = {}) {
   RenderReport report;
+  report.stages = before;
   const double cpuBefore = cpuSeconds();
   {
     const ScopedStage total(report.stages, "total");
     checkScene(scene);
     const ThreadLimit limit(scene.threads);
-    const PreparedScene prepared = prepareScene(scene, report.stages, progress);
+    std::optional<PreparedScene> own;
+    if (ready == nullptr) own = prepareScene(scene, report.stages, progress);
+    const PreparedScene& prepared = ready != nullptr ? *ready : *own;
     describePrepared(prepared, report);
     const View view = viewOf(scene, prepared);
     report.camera = describe(scene.camera, prepared.frame, scene.width, scene.height);
@@ -95,10 +102,9 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
   return report;
 }
 
-}  // namespace
-
-RenderReport renderScene(const Scene& scene, const Progress& progress) {
-  return reportOf(scene, progress, [&](const PreparedScene& prepared, const View& view, RenderReport& report) {
+/// Drawing through a row of visibilityMethods(), for reportOf.
+auto drawingOf(const Scene& scene, const Progress& progress) {
+  return [&scene, &progress](const PreparedScene& prepared, const View& view, RenderReport& report) {
     const auto device = makeDevice(scene.device, scene.threads);
     report.renderer = device->renderer();
     report.glVersion = device->version();
@@ -109,7 +115,18 @@ RenderReport renderScene(const Scene& scene, const Progress& progress) {
     const auto renderer = makeRenderer(prepared, chosen, report.stages, progress);
     drawRepeatedly(*renderer, scene, view, report, progress);
     noteUnmendedOrder(scene, report);
-  });
+  };
+}
+
+}  // namespace
+
+RenderReport renderScene(const Scene& scene, const Progress& progress) {
+  return reportOf(scene, progress, drawingOf(scene, progress));
+}
+
+RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, const StageTimes& before,
+                         const Progress& progress) {
+  return reportOf(scene, progress, drawingOf(scene, progress), &prepared, before);
 }
 
 RenderReport drawReference(const Scene& scene, bool edgeMask, const Progress& progress) {

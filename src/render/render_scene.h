@@ -6,6 +6,7 @@
 #include "core/stage_times.h"
 #include "image/image.h"
 #include "mesh/defects.h"
+#include "scene/prepared_scene.h"
 #include "scene/renderer.h"
 #include "scene/scene.h"
 #include "transfer/extinction_curve.h"
@@ -46,6 +47,11 @@ struct RenderReport {
 /// Reads, prepares and draws a scene, Scene::repeat times (medians of each stage; the picture is the last). Throws
 /// Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
 RenderReport renderScene(const Scene& scene, const Progress& progress = {});
+
+/// The same of a scene that prepareScene has made ready. `before`: what that took, for the report; its total and its
+/// processor time are of the drawing only.
+RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, const StageTimes& before,
+                         const Progress& progress = {});
 
 /// The same by the ground truth (reference/reference_renderer.h), without OpenGL: of the method, only Scene::threads
 /// and repeat have an effect. `edgeMask`: fills RenderReport::edgeMask. Throws as renderScene.

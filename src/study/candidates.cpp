@@ -1,0 +1,129 @@
+// What --max-error chooses among, and the model of its cost.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "render/lookups.h"
+#include "render/plan.h"
+#include "render/visibility.h"
+#include "study/axes.h"
+#include "study/choose_settings.h"
+
+namespace havs {
+namespace {
+
+/// Nanoseconds a fragment on llvmpipe with two threads, spx at 512 x 512 (a study); only ratios matter.
+constexpr double kFragment = 25, kEntryOfK = 1.5, kTableEntry = 400;
+struct LookupCost {
+  const char* name;
+  double fixed = 0, perSample = 0;
+};
+constexpr std::array<LookupCost, 9> kLookupCosts{{{"2d", 0},
+                                                  {"3d", 4},
+                                                  {"post", 6},
+                                                  {"integral", 12},
+                                                  {"pre", 13},
+                                                  {"3d-normalised", 15},
+                                                  {"riemann", 0, 8.5},
+                                                  {"riemann-linear", 0, 8.5},
+                                                  {"exact", 165}}};
+constexpr std::array kAllK{2, 4, 8, 14};
+constexpr std::array kSamples{4, 16};
+
+/// A lookup that is not listed counts as the dearest.
+double lookupCost(const Lookup& row) {
+  const std::string plain = row.name.substr(0, row.name.find(':'));
+  for (const LookupCost& cost : kLookupCosts)
+    if (plain == cost.name) return cost.fixed + cost.perSample * row.number;
+  return kLookupCosts.back().fixed;
+}
+
+double costOf(const Scene& scene, double fragments) {
+  constexpr double kMilliseconds = 1e-6;
+  const Lookup row = lookup(scene.lookup);
+  const LookupResource* table = tableOf(row);
+  const double entries = table != nullptr ? std::pow(scene.tableSize, table->axes) : 0;
+  const int k = visibilityMethod(scene.visibility).maximumK > 0 ? scene.k : 0;
+  const double frame = fragments * (kFragment + kEntryOfK * k + lookupCost(row));
+  return kMilliseconds * (kTableEntry * entries + scene.repeat * frame);
+}
+
+std::vector<std::string> lookupChoices() {
+  std::vector<std::string> names;
+  for (const Lookup& row : lookups()) {
+    const std::string example = exampleName(row);
+    if (row.parameter.empty()) names.push_back(example);
+    for (const int samples : kSamples)
+      if (!row.parameter.empty()) names.push_back(example.substr(0, example.find(':') + 1) + std::to_string(samples));
+  }
+  return names;
+}
+
+/// Two axes are filled in no time, so they may be longer.
+std::vector<int> tableSizes(const Lookup& row, int given) {
+  const LookupResource* table = tableOf(row);
+  if (table == nullptr) return {given};
+  return table->axes == 2 ? std::vector{64, 128, 256, 512} : std::vector{16, 32, 64, 128};
+}
+
+bool isAllowed(const Scene& scene) {
+  try {
+    checkScene(scene);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// All with this k, those dearer than `exact` left out.
+void addCandidates(std::vector<Candidate>& all, Scene scene, double fragments) {
+  scene.lookup = "exact";
+  const double most = costOf(scene, fragments);
+  const int given = scene.tableSize;
+  for (const std::string& name : lookupChoices()) {
+    scene.lookup = name;
+    for (const int size : tableSizes(lookup(name), given)) {
+      scene.tableSize = size;
+      const double cost = costOf(scene, fragments);
+      if (isAllowed(scene) && (cost < most || name == "exact")) all.push_back({scene, cost});
+    }
+    scene.tableSize = given;
+  }
+}
+
+}  // namespace
+
+std::vector<Candidate> candidatesFor(const Scene& scene, double fragments) {
+  std::vector<Candidate> all;
+  Scene one = scene;
+  one.kAuto = false;
+  if (visibilityMethod(scene.visibility).maximumK == 0) addCandidates(all, one, fragments);
+  for (const int k : kAllK) {
+    one.k = k;
+    if (visibilityMethod(scene.visibility).maximumK > 0) addCandidates(all, one, fragments);
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  return all;
+}
+
+double countFragments(const Scene& scene, const PreparedScene& prepared) {
+  const View view = viewOf(scene, prepared);
+  std::vector<double> areas(prepared.faces.size(), 0);
+  parallelFor(0, areas.size(), 4096, [&](std::size_t f) {
+    std::array<Vec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& point = prepared.points[prepared.faces.vertices[f][i]];
+      if (!view.orthographic && dot(view.forward, point - view.eye) <= 0) return;
+      p[i] = view.project(point);
+      if (p[i].x < 0 || p[i].y < 0 || p[i].x > view.width || p[i].y > view.height) return;
+    }
+    areas[f] = 0.5 * std::abs((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
+  });
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  return sum;
+}
+
+}  // namespace havs
