@@ -11,15 +11,30 @@
 
 layout(location = 0) out vec4 colorTarget;
 
+const float kOpaque = 0.99;
+
+// Of the colours `first` and `then`, one behind the other, leaves `first` when drawn behind them: `then` taken back.
+// Something opaque cannot be.
+Rgba takenBack(Rgba then) { return then.a < kOpaque ? then * (-1.0 / (1.0 - then.a)) : Rgba(0.0); }
+
 void main() {
   CellStretch stretch = stretchInCell();
+  // On faces seen edge-on a cell may seem to end before it begins: by rounding, or as the rasteriser's grid turns a sliver.
+  // The stretches before and behind it overlap there by as much, so it is taken back once.
+  bool backwards = stretch.exit.depth < stretch.entry.depth;
+  Place front = stretch.entry, back = stretch.exit;
+  if (backwards) {
+    front = stretch.exit;
+    back = stretch.entry;
+  }
   Segment segment;
-  segment.scalarFront = stretch.entry.scalar;
-  segment.scalarBack = stretch.exit.scalar;
+  segment.scalarFront = front.scalar;
+  segment.scalarBack = back.scalar;
 #ifdef HAVS_CELL_DATA
   segment.scalarFront = gl_FrontFacing ? cellScalars.x : cellScalars.y;
 #endif
-  segment.length = max(stretch.exit.depth - stretch.entry.depth, 0.0) * stretch.rayLength;
+  segment.length = (back.depth - front.depth) * stretch.rayLength;
   segment.visible = entersCell();
-  colorTarget = segmentColor(segment);
+  Rgba color = segmentColor(segment);
+  colorTarget = backwards ? takenBack(color) : color;
 }

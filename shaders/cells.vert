@@ -11,7 +11,11 @@ flat out vec2 cellScalars;
 
 uniform mat4 toClip;
 uniform mat3 toView;  // right, up, forward
+uniform vec2 viewport;  // pixels
+uniform float grid;     // steps of a pixel that the rasteriser snaps corners to
 
+// Where the rasteriser puts them, in steps of its grid.
+flat out vec2 snappedA, snappedB, snappedC, snappedBehindFront, snappedBehindBack;
 flat out vec4 cornerA, cornerB, cornerC;      // of the face
 flat out vec4 behindFront, behindBack;        // the fourth corners of the two cells
 flat out float hasBack;                       // 0: rays leave the mesh through the back
@@ -23,6 +27,14 @@ invariant gl_Position;  // passes that look at the same faces must cover the sam
 vec4 corner(uint point) {
   vec4 p = texelFetch(points, int(point));
   return vec4(p.xyz * toView, p.w);
+}
+
+vec4 clipPlace(uint point) { return toClip * vec4(texelFetch(points, int(point)).xyz, 1.0); }
+
+vec2 snapped(uint point) {
+  vec4 clip = clipPlace(point);
+  vec2 window = clip.xy * (1.0 / clip.w) * (0.5 * viewport) + 0.5 * viewport;
+  return roundEven(window * grid);
 }
 
 void main() {
@@ -40,5 +52,10 @@ void main() {
 #endif
   int which = gl_VertexID % 3;
   uint own = which == 0 ? corners.x : which == 1 ? corners.y : corners.z;
-  gl_Position = toClip * vec4(texelFetch(points, int(own)).xyz, 1.0);
+  gl_Position = clipPlace(own);
+  snappedA = snapped(corners.x);
+  snappedB = snapped(corners.y);
+  snappedC = snapped(corners.z);
+  snappedBehindFront = snapped(corners.w);
+  snappedBehindBack = snapped(back == kNone ? corners.w : back);
 }

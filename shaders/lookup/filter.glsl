@@ -1,5 +1,6 @@
 // Tables over [0, 1] along each axis, linear between entries: the first entry at 0, the last at 1.
-uniform vec2 tableScaleBias;  // half-texel correction
+uniform vec3 tableScale;  // half-texel correction
+uniform vec3 tableBias;
 
 #ifdef HAVS_FILTER_IN_SHADER
 // llvmpipe filters 8-bit textures with 8 bits; the entries are mixed here in float.
@@ -27,6 +28,6 @@ vec4 fetchTable(sampler2D table, vec2 unit) {
 #undef ENTRY
 }
 #else
-vec4 fetchTable(sampler3D table, vec3 unit) { return textureLod(table, unit * tableScaleBias.x + tableScaleBias.y, 0.0); }
-vec4 fetchTable(sampler2D table, vec2 unit) { return textureLod(table, unit * tableScaleBias.x + tableScaleBias.y, 0.0); }
+vec4 fetchTable(sampler3D table, vec3 unit) { return textureLod(table, unit * tableScale + tableBias, 0.0); }
+vec4 fetchTable(sampler2D table, vec2 unit) { return textureLod(table, unit * tableScale.xy + tableBias.xy, 0.0); }
 #endif

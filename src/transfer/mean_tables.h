@@ -11,8 +11,9 @@ namespace havs {
 /// one, too: that of their neighbours with a trace of opacity.
 inline constexpr double kAddedExtinction = 1e-6;
 
-/// (front scalar, back scalar, length) -> mean colour, and 1; the layout, sizes and errors of buildTable3d. The entries
-/// of length 0 hold the limit for short segments.
+/// (front scalar, back scalar, length) -> mean colour, and 1; otherwise as buildTable3d. Mean colours change little and
+/// almost linearly with the length: so the size^3 entries lie 2 size along each scalar and size / 4, 2 at the least,
+/// along the length. The entries of length 0 hold the limit for short segments.
 Table3d buildMeanColors(const ExtinctionCurve& curve, int size, double maximumLength, const Progress& progress = {});
 
 /// As rebuildTable3d (transfer/preintegration.h).

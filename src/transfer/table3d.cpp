@@ -42,29 +42,28 @@ void storeMean(const Stretch& s, float* entry) {
 template <class Store>
 void fill(Table3d& table, const GridPieces& grid, const TouchedLines& touched, double shortest, const Store& store,
           const Progress& progress) {
-  const std::size_t size = table.size;
+  const std::size_t size = table.size, lengths = table.lengths;
   std::mutex progressMutex;
   int done = 0;
-  parallelBlocks(0, size, 1, [&](std::size_t first, std::size_t last) {
+  parallelBlocks(0, lengths, 1, [&](std::size_t first, std::size_t last) {
     LayerBuilder builder(grid);
     for (std::size_t l = first; l < last; ++l) {
       float* const layer = &table.rgba[4 * size * size * l];
-      const double share = std::max(static_cast<double>(l) / static_cast<double>(size - 1), shortest);
+      const double share = std::max(static_cast<double>(l) / static_cast<double>(lengths - 1), shortest);
       for (int span = 0; span < table.size; ++span)
         builder.build(table.maximumLength * share, span, touched, [&](int front, int back, const Stretch& s) {
           store(s, layer + 4 * (static_cast<std::size_t>(back) * size + static_cast<std::size_t>(front)));
         });
       if (!progress) continue;
       const std::lock_guard lock(progressMutex);
-      progress("table", static_cast<double>(++done) / static_cast<double>(size));
+      progress("table", static_cast<double>(++done) / static_cast<double>(lengths));
     }
   });
 }
 
-Table3d emptyTable(int size, double maximumLength) {
-  requireSizeAndLength(size, maximumLength);
-  Table3d table{.size = size, .maximumLength = maximumLength, .rgba = {}};
-  table.rgba.resize(std::size_t{4} * size * size * size);
+Table3d emptyTable(int size, int lengths, double maximumLength) {
+  Table3d table{.size = size, .lengths = lengths, .maximumLength = maximumLength, .rgba = {}};
+  table.rgba.resize(std::size_t{4} * size * size * lengths);
   return table;
 }
 
@@ -79,14 +78,16 @@ void fillMeans(Table3d& table, const ExtinctionCurve& curve, const TouchedLines&
 }  // namespace
 
 Table3d buildTable3d(const ExtinctionCurve& curve, int size, double maximumLength, const Progress& progress) {
-  Table3d table = emptyTable(size, maximumLength);
+  requireSizeAndLength(size, maximumLength);
+  Table3d table = emptyTable(size, size, maximumLength);
   fillColors(table, curve, {0, size - 1}, progress);
   return table;
 }
 
 Table3d buildMeanColors(const ExtinctionCurve& curve, int size, double maximumLength, const Progress& progress) {
-  Table3d table = emptyTable(size, maximumLength);
-  fillMeans(table, curve, {0, size - 1}, progress);
+  requireSizeAndLength(size, maximumLength);
+  Table3d table = emptyTable(2 * size, std::max(2, size / 4), maximumLength);
+  fillMeans(table, curve, {0, table.size - 1}, progress);
   return table;
 }
 

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"IsADirectory", {"render", "cube.node", "-o", "folder.png"}, "directory"},
                     Refused{"UnknownExtension", {"render", "cube.node", "-o", "a.gif"}, ".exr"},
                     Refused{"SecondOfTwo", {"render", "cube.node", "-o", "a.png", "-o", "a.gif"}, "a.gif"},
-                    Refused{"MaskExtension", rendering({"--certificate-mask", "m.gif"}), "m.gif"},
+                    Refused{"CertificateMaskExtension", rendering({"--certificate-mask", "m.gif"}), "m.gif"},
                     Refused{"MeshExtension", {"mesh", "cube.node", "-o", "a.stl"}, ".vtu"},
                     Refused{"MeshFolder", {"mesh", "cube.node", "-o", "no/a.node"}, "folder does not exist"},
                     Refused{"MaskExtension", {"reference", "cube.node", "--edge-mask", "m.exr"}, ".png"},

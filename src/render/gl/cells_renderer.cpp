@@ -2,6 +2,7 @@
 // is asked about, once more through cells_certificate.frag.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gl/check.h"
 #include "gl/framebuffer.h"
@@ -91,6 +92,10 @@ class CellsRenderer final : public Renderer {
     useForView(program, view, tile);
     program.set("toView", glm::mat3(glm::dmat3(view.right, view.up, view.forward)));
     program.set("pixelToBase", glm::vec4(pixelToBase(view, tile)));
+    GLint subPixelBits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &subPixelBits);
+    program.set("grid", std::ldexp(1.0f, subPixelBits));
+    program.set("viewport", glm::vec2(tile.width, tile.height));
     cells_->bind(program);
   }
 

@@ -7,22 +7,25 @@
 namespace havs {
 namespace {
 
-/// Scale and bias that put 0 on the middle of the first of `size` texels and 1 on the middle of the last.
-glm::vec2 halfTexel(int size) { return {static_cast<float>((size - 1.0) / size), static_cast<float>(0.5 / size)}; }
+/// Scale and bias that put 0 on the middle of the first texel of each axis and 1 on the middle of the last.
+void addHalfTexel(ResourceTextures& made, const Texture& table) {
+  const glm::vec3 size(table.width(), table.height(), table.depth());
+  made.uniforms["tableScale"] = (size - 1.0f) / size;
+  made.uniforms["tableBias"] = 0.5f / size;
+}
 
 void addBufferTexture(ResourceTextures& made, const std::string& name, GLenum format, Buffer buffer) {
   made.buffers.push_back(std::move(buffer));
   made.samplers.emplace(name, Texture::overBuffer(name, format, made.buffers.back()));
 }
 
-/// OpenGL converts to the format and rounds.
-Texture tableTexture(const std::string& label, const TableFormat& format, int axes, int size,
-                     const std::vector<float>& rgba) {
-  Texture texture = axes == 3 ? Texture::image3D(label, format.internalFormat, size, size, size)
-                              : Texture::image2D(label, format.internalFormat, size, size);
+/// Adds a table under the name of its sampler. OpenGL converts to the format and rounds.
+void addTable(ResourceTextures& made, const char* name, Texture texture, const TableFormat& format,
+              const std::vector<float>& rgba) {
   texture.upload(GL_RGBA, std::span<const float>(rgba));
   if (!format.filteredInShader) texture.filter(GL_LINEAR);
-  return texture;
+  addHalfTexel(made, texture);
+  made.samplers.emplace(name, std::move(texture));
 }
 
 /// The mean length of the segments that rays from everywhere cut out of the cells: 4 V / S of each cell for all lines
@@ -41,9 +44,10 @@ double meanSegmentLength(const PreparedScene& prepared) {
 
 ResourceTextures table3dTextures(const Table3d& table, const TableFormat& format) {
   ResourceTextures made;
-  made.samplers.emplace("table3d",
-                        tableTexture("table over front, back and length", format, 3, table.size, table.rgba));
-  made.uniforms["tableScaleBias"] = halfTexel(table.size);
+  addTable(made, "table3d",
+           Texture::image3D("table over front, back and length", format.internalFormat, table.size, table.size,
+                            table.lengths),
+           format, table.rgba);
   made.uniforms["lengthScale"] = static_cast<float>(1.0 / table.maximumLength);
   return made;
 }
@@ -84,10 +88,11 @@ ResourceTextures makeTable2dTextures(const ResourceInput& input) {
   // Extinction is scaled to [0, 1], for formats that hold no more.
   const float most = static_cast<float>(input.seen.maximumKappa);
   for (std::size_t i = 3; most > 0 && i < table.rgba.size(); i += 4) table.rgba[i] /= most;
+  const TableFormat& format = input.plan.tableFormat;
   ResourceTextures made;
-  made.samplers.emplace("table2d",
-                        tableTexture("table over front and back", input.plan.tableFormat, 2, table.size, table.rgba));
-  made.uniforms["tableScaleBias"] = halfTexel(table.size);
+  addTable(made, "table2d",
+           Texture::image2D("table over front and back", format.internalFormat, table.size, table.size), format,
+           table.rgba);
   made.uniforms["mostExtinction"] = most;
   return made;
 }

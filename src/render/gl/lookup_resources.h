@@ -25,7 +25,7 @@ struct ResourceInput {
 /// Textures by the name of their sampler in the shader, and other uniforms by theirs.
 struct ResourceTextures {
   std::map<std::string, Texture> samplers;
-  std::map<std::string, std::variant<int, float, glm::vec2>> uniforms;
+  std::map<std::string, std::variant<int, float, glm::vec3>> uniforms;
   std::vector<Buffer> buffers;  ///< that buffer textures look at
 };
 
