@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <thread>
 
 #include "core/error.h"
 #include "study/records_json.h"
@@ -67,6 +68,16 @@ void checkIdentity(const StudyIdentity& stored, const StudyIdentity& wanted, con
   }
 }
 
+/// A process that was killed may hold its lock for a moment more, until its memory is freed.
+bool lock(int descriptor) {
+  constexpr int kTries = 30;
+  for (int i = 0; i < kTries; ++i) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return false;
+}
+
 /// The records of the whole lines; returns how many bytes they take.
 std::size_t readLines(const std::string& content, const fs::path& file, const StudyIdentity& identity,
                       StudyRecords& records) {
@@ -96,7 +107,7 @@ StudyStore::StudyStore(const fs::path& folder, const StudyIdentity& identity, bo
   makeFolder(folder);
   descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) failOpening(file_);
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  if (!lock(descriptor_)) {
     close(descriptor_);
     failInput("another study is running there", folder.string(), "wait for it, or choose another folder");
   }
