@@ -31,12 +31,46 @@ Scene probeOf(const Scene& scene) {
   return probe;
 }
 
+/// The same lookup and table with the largest k that goes with it.
+const Scene& withLargestK(const std::vector<Candidate>& all, const Scene& scene) {
+  const Scene* largest = &scene;
+  for (const Candidate& one : all)
+    if (one.scene.lookup == scene.lookup && one.scene.tableSize == scene.tableSize && one.scene.k > largest->k)
+      largest = &one.scene;
+  return *largest;
+}
+
+Scene withExactLookup(Scene scene) {
+  scene.lookup = "exact";
+  return scene;
+}
+
+}  // namespace
+
+std::span<const ErrorMeasure> errorMeasures() {
+  static const std::vector<ErrorMeasure> rows{
+      {"p999", "99.9% of the pixels are nearer, each by its worst channel", &ErrorMeasures::p999},
+      {"rmse", "root of the mean square", &ErrorMeasures::rmse},
+  };
+  return rows;
+}
+
+const ErrorMeasure& errorMeasure(const std::string& name) {
+  return findRow(errorMeasures(), name, "error measure", "--error-measure");
+}
+
+void checkGoal(const ErrorGoal& goal) {
+  errorMeasure(goal.measure);
+  if (!(goal.most > 0 && std::isfinite(goal.most)))
+    failInput("the error must be greater than 0", "--max-error", "colours go from 0 to 1: 0.01, for example");
+}
+
 /// Errors of settings on the probe, each drawn once.
-class Probe {
+class SettingsChooser::Probe {
  public:
-  Probe(const Scene& scene, const PreparedScene& prepared, const ErrorGoal& goal)
+  Probe(const Scene& scene, const PreparedScene& prepared, const std::string& measure)
       : prepared_(prepared),
-        measure_(errorMeasure(goal.measure)),
+        measure_(errorMeasure(measure)),
         size_(probeOf(scene)),
         view_(viewOf(size_, prepared)),
         device_(makeDevice(scene.device, scene.threads)),
@@ -49,6 +83,14 @@ class Probe {
     const auto [found, isNew] = errors_.try_emplace(settingsKey(scene), kInfinite);
     if (isNew) found->second = draw(scene);
     return found->second;
+  }
+
+  /// The greatest of the candidate's errors; stops, with what it has, where that exceeds `enough`.
+  double estimate(const std::vector<Candidate>& all, const Scene& scene, double enough) {
+    double worst = errorOf(withExactLookup(scene));
+    if (worst <= enough) worst = std::max(worst, errorOf(withLargestK(all, scene)));
+    if (worst <= enough) worst = std::max(worst, errorOf(scene));
+    return worst;
   }
 
   int width() const { return size_.width; }
@@ -77,80 +119,51 @@ class Probe {
   std::map<std::string, double> errors_;
 };
 
-/// The same lookup and table with the largest k that goes with it.
-const Scene& withLargestK(const std::vector<Candidate>& all, const Scene& scene) {
-  const Scene* largest = &scene;
-  for (const Candidate& one : all)
-    if (one.scene.lookup == scene.lookup && one.scene.tableSize == scene.tableSize && one.scene.k > largest->k)
-      largest = &one.scene;
-  return *largest;
+SettingsChooser::SettingsChooser(const Scene& scene, const PreparedScene& prepared, const std::string& measure)
+    : measure_(measure),
+      candidates_(candidatesFor(scene, countFragments(scene, prepared))),
+      probe_(std::make_unique<Probe>(scene, prepared, measure)) {
+  if (candidates_.empty()) failInput("no lookup goes with the other settings that are asked for", "--max-error");
 }
 
-Scene withExactLookup(Scene scene) {
-  scene.lookup = "exact";
-  return scene;
+SettingsChooser::~SettingsChooser() = default;
+
+ChosenSettings SettingsChooser::choose(double most, const Progress& progress) {
+  checkGoal({most, measure_});
+  const auto start = std::chrono::steady_clock::now();
+  const ThreadLimit limit(candidates_.front().scene.threads);
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (progress) progress("probing", static_cast<double>(i) / static_cast<double>(candidates_.size()));
+    const double error = probe_->estimate(candidates_, candidates_[i].scene, kErrorMargin * most);
+    if (error > kErrorMargin * most) continue;
+    if (progress) progress("probing", 1.0);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {candidates_[i].scene, error,           probe_->width(), probe_->height(),
+            candidates_.size(),   probe_->drawn(), 1e3 * seconds};
+  }
+  failUnreached(most);
 }
 
-/// The greatest of the candidate's errors; stops, with what it has, where that exceeds `enough`.
-double estimate(Probe& probe, const std::vector<Candidate>& all, const Scene& scene, double enough) {
-  double worst = probe.errorOf(withExactLookup(scene));
-  if (worst <= enough) worst = std::max(worst, probe.errorOf(withLargestK(all, scene)));
-  if (worst <= enough) worst = std::max(worst, probe.errorOf(scene));
-  return worst;
-}
-
-[[noreturn]] void failUnreached(const ErrorGoal& goal, double best, const Scene& scene) {
-  failRunning(fmt::format("no settings keep the error ({}) below {:g} by the probe: the best reached {:.2g}, with {}; "
-                          "half of what is asked must be reached there",
-                          goal.measure, goal.most, best, settingsLabel(scene)),
-              "--max-error", fmt::format("ask for {:.2g}, or draw with havs reference", best / kErrorMargin * 1.01));
-}
-
-}  // namespace
-
-std::span<const ErrorMeasure> errorMeasures() {
-  static const std::vector<ErrorMeasure> rows{
-      {"p999", "99.9% of the pixels are nearer, each by its worst channel", &ErrorMeasures::p999},
-      {"rmse", "root of the mean square", &ErrorMeasures::rmse},
-  };
-  return rows;
-}
-
-const ErrorMeasure& errorMeasure(const std::string& name) {
-  return findRow(errorMeasures(), name, "error measure", "--error-measure");
-}
-
-void checkGoal(const ErrorGoal& goal) {
-  errorMeasure(goal.measure);
-  if (!(goal.most > 0 && std::isfinite(goal.most)))
-    failInput("the error must be greater than 0", "--max-error", "colours go from 0 to 1: 0.01, for example");
+/// The best are those without a table; all of them have been drawn.
+void SettingsChooser::failUnreached(double most) {
+  double best = kInfinite;
+  const Scene* with = &candidates_.back().scene;
+  for (const Candidate& one : candidates_) {
+    if (one.scene.lookup != "exact") continue;
+    const double error = probe_->estimate(candidates_, one.scene, kInfinite);
+    if (error < best) with = &one.scene;
+    best = std::min(best, error);
+  }
+  failRunning(fmt::format("no settings keep the error ({}) below {:g}: a probe must reach {:g} of that, and the best "
+                          "reached {:.2g}, with {}",
+                          measure_, most, kErrorMargin, best, settingsLabel(*with)),
+              "--max-error", fmt::format("ask for {:.2g}, or draw with havs reference", 1.1 * best / kErrorMargin));
 }
 
 ChosenSettings chooseSettings(const Scene& scene, const PreparedScene& prepared, const ErrorGoal& goal,
                               const Progress& progress) {
   checkGoal(goal);
-  const auto start = std::chrono::steady_clock::now();
-  const ThreadLimit limit(scene.threads);
-  const std::vector<Candidate> all = candidatesFor(scene, countFragments(scene, prepared));
-  if (all.empty()) failInput("no settings go with the others that are asked for", "--max-error");
-  Probe probe(scene, prepared, goal);
-  const Candidate* chosen = nullptr;
-  const Candidate* best = nullptr;
-  double chosenEstimate = kInfinite, leastError = kInfinite;
-  for (const Candidate& one : all) {
-    if (progress) progress("probing", static_cast<double>(&one - all.data()) / static_cast<double>(all.size()));
-    const double error = estimate(probe, all, one.scene, kErrorMargin * goal.most);
-    if (best == nullptr || error < leastError) best = &one;
-    leastError = std::min(leastError, error);
-    if (error > kErrorMargin * goal.most) continue;
-    chosen = &one;
-    chosenEstimate = error;
-    break;
-  }
-  if (progress) progress("probing", 1.0);
-  if (chosen == nullptr) failUnreached(goal, leastError, best->scene);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {chosen->scene, chosenEstimate, probe.width(), probe.height(), all.size(), probe.drawn(), 1e3 * seconds};
+  return SettingsChooser(scene, prepared, goal.measure).choose(goal.most, progress);
 }
 
 double trueError(const Scene& scene, const PreparedScene& prepared, const Image& image, const ErrorGoal& goal) {

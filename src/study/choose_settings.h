@@ -1,5 +1,6 @@
 #pragma once
 // The cheapest settings whose error stays below a bound (`--max-error`).
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,11 +60,32 @@ struct ChosenSettings {
   double probeMs = 0;                      ///< wall time of choosing, the probe's reference included
 };
 
-/// The cheapest candidate whose estimate is at most kErrorMargin times the goal. An estimate is the greatest of three
-/// errors against the reference, on a probe picture of the same camera: of the candidate; of its lookup and table with
-/// the largest k; of its k with the lookup `exact`. It does not depend on the goal, so a smaller goal never chooses
-/// cheaper settings. Makes a device while it runs. Throws Error{running} when no candidate reaches the goal (says the
-/// best), Error as checkGoal and renderScene.
+/// Chooses among the candidates by probes, which it keeps from one choice to the next. Holds a device while it lives.
+class SettingsChooser {
+ public:
+  /// `prepared` must outlive it. `measure`: a row of errorMeasures(). Throws Error as checkGoal, prepareScene,
+  /// makeDevice.
+  SettingsChooser(const Scene& scene, const PreparedScene& prepared, const std::string& measure);
+  ~SettingsChooser();
+  SettingsChooser(const SettingsChooser&) = delete;
+  SettingsChooser& operator=(const SettingsChooser&) = delete;
+
+  /// The cheapest candidate whose estimate is at most kErrorMargin * most. An estimate is the greatest of three errors
+  /// against the reference, on a probe picture of the same camera: of the candidate; of its lookup and table with the
+  /// largest k; of its k with the lookup `exact`. It does not depend on `most`, so a smaller bound never chooses
+  /// cheaper settings. Throws Error{running} when no candidate reaches it (says the best).
+  ChosenSettings choose(double most, const Progress& progress = {});
+
+ private:
+  class Probe;
+  [[noreturn]] void failUnreached(double most);
+
+  std::string measure_;
+  std::vector<Candidate> candidates_;
+  std::unique_ptr<Probe> probe_;
+};
+
+/// One choice. Throws as SettingsChooser.
 ChosenSettings chooseSettings(const Scene& scene, const PreparedScene& prepared, const ErrorGoal& goal,
                               const Progress& progress = {});
 
