@@ -147,13 +147,15 @@ class LookupSegments : public GlTest {
 };
 
 TEST_P(LookupSegments, EveryRowIsWhatItIsInDouble) {
-  for (const Lookup& row : lookups())
+  for (const Lookup& row : lookups()) {
+    if (row.carries == Payload::color) continue;  // its own tests: lookup_pre_test.cpp
     for (const char* transfer : {"viridis", "three-peaks", "shells"}) {
       double bound = 0;
       const double worst = worstOf(exampleName(row), transfer, &bound);
       RecordProperty(row.name + " " + transfer, std::to_string(worst * 1e7) + "e-7");
       EXPECT_LE(worst, bound) << row.name << " " << transfer;
     }
+  }
 }
 
 // An entry is off by half a step of the format at most, and so is what is interpolated. The colour of the rows of mean
