@@ -62,6 +62,9 @@ void sweep(Collector& runs, const Scene& baseline, const AxisChoice& choice, std
   if (!applies) runs.skip(choice.axis->name + ": has no effect with these settings");
 }
 
+/// An error that is no picture of the data any more: cheap, but not worth combining.
+constexpr double kUseless = 0.25;
+
 /// A value of an axis, and what it changes of the baseline.
 struct Step {
   const StudyAxis* axis = nullptr;
@@ -91,7 +94,7 @@ std::vector<Step> goodSteps(const SweepPlan& plan, const AxisChoice& choice,
   const std::vector<bool> good = nonDominated(points);
   std::vector<Step> kept{steps.front()};
   for (std::size_t i = 1; i < steps.size(); ++i)
-    if (good[i]) kept.push_back(steps[i]);
+    if (good[i] && points[i].error <= std::max(kUseless, from.error)) kept.push_back(steps[i]);
   return kept;
 }
 

@@ -22,10 +22,10 @@ struct SweepPlan {
 SweepPlan planSweep(const std::string& subject, const Scene& baseline, std::span<const AxisChoice> choices);
 
 /// Combinations of values that did well: of each axis the values that no other value of that axis dominates (the
-/// baseline's is one of them), all combined, those measured already left out; of these the `most` most promising, by
-/// the front of what they should cost and err: the baseline's cost times each value's factor; the baseline's error
-/// times the factors of values that better it, plus what the others add to it. Axes that change the picture stay as
-/// they are. `measured`: what is known of runs of `plan`, by id.
+/// baseline's is one of them; errors beyond a quarter are not), all combined, those measured already left out; of these
+/// the `most` most promising, by the front of what they should cost and err: the baseline's cost times each value's
+/// factor; the baseline's error times the factors of values that better it, plus what the others add to it. Axes that
+/// change the picture stay as they are. `measured`: what is known of runs of `plan`, by id.
 std::vector<PlannedRun> planCombinations(const SweepPlan& plan, std::span<const AxisChoice> choices,
                                          const std::map<std::string, CostError>& measured, std::size_t most);
 

@@ -109,7 +109,7 @@ TEST(PlanCombinations, KeepsToItsNumberAndToNewSettings) {
   const SweepPlan plan = planSweep("a-0", Scene{}, choices);
   const auto everyValueIsGood = [](const Scene& s) {
     const double cost = s.k + 0.01 * s.tableSize - 2 * s.earlyTermination + (s.sort == "none" ? -1 : 0);
-    return CostError{20 + cost, 20 - cost};
+    return CostError{20 + cost, 0.01 * (20 - cost)};
   };
   const auto measured = measure(plan, everyValueIsGood);
   std::set<std::string> known;
@@ -123,6 +123,16 @@ TEST(PlanCombinations, KeepsToItsNumberAndToNewSettings) {
       EXPECT_EQ(run.scene.width, Scene{}.width) << "another size cannot be compared";
     }
   }
+}
+
+/// The cheapest value of all is one that leaves the picture out.
+TEST(PlanCombinations, LeavesOutWhatIsNoPictureAnyMore) {
+  const auto choices = choose({"k=1,6", "sort=none,topological"});
+  const SweepPlan plan = planSweep("a-0", Scene{}, choices);
+  const auto measured = measure(plan, [](const Scene& s) {
+    return CostError{s.k * 1.0 - (s.sort == "none" ? 0.5 : 0), s.sort == "none" ? 0.8 : 0.01};
+  });
+  EXPECT_THAT(idsOf(planCombinations(plan, choices, measured, 10)), IsEmpty());
 }
 
 /// A study that was interrupted chooses again.
