@@ -1,6 +1,6 @@
-// A pixel's list in order, whatever the order in which its fragments came: runs of 32 are sorted in registers by Batcher's
+// A pixel's list in order, whatever the order in which its fragments came: runs of 16 are sorted in registers by Batcher's
 // odd-even merge sort (1968), the same comparisons for every pixel, then merged two by two in local memory; the last merge
-// is not written but read by `nextFragment`. Lists beyond HAVS_LOCAL_FRAGMENTS are sorted where they lie, by Shell's sort
+// is not written but read by `takeNext`. Lists beyond HAVS_LOCAL_FRAGMENTS are sorted where they lie, by Shell's sort
 // with the gaps of Knuth: n^1.5 at worst.
 //
 // Of equal distances exits leave first, then entries, then inner faces, each by the bits of their scalar. Between equal
@@ -134,12 +134,26 @@ Entry takeNext(inout Merge m) {
   return taken;
 }
 
+// Asked first: it ends at the first fragment out of place, and faces drawn near first mostly leave lists in order.
+bool isSorted(int first, int count) {
+  Entry last = loadEntry(first);
+  int i = 1;
+  for (; i < count; ++i) {
+    Entry entry = loadEntry(first + i);
+    if (isBefore(entry, last)) break;
+    last = entry;
+  }
+  return i >= count;
+}
+
 // Sorts the list of `count` entries at `first`, up to a merge of two stretches, which is returned.
 Merge sortList(int first, int count) {
-  if (count > HAVS_LOCAL_FRAGMENTS) {
+  bool inPlace = isSorted(first, count);
+  if (!inPlace && count > HAVS_LOCAL_FRAGMENTS) {
     sortInPlace(first, count);
-    return beginMerge(first, first + count, first + count, true);
+    inPlace = true;
   }
+  if (inPlace) return beginMerge(first, first + count, first + count, true);
   sortRuns(first, count);
   int from = 0, to = HAVS_LOCAL_FRAGMENTS, width = kRun;
   for (; 2 * width < count; width *= 2) {

@@ -3,7 +3,10 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 
 #include "core/find_row.h"
 #include "render/gl/lookup_resources.h"
@@ -30,6 +33,14 @@ int readNumber(const Lookup& row, const std::string& text) {
     failInput("lookup '" + withoutMark(row.name) + "' needs a number of " + row.parameter, "",
               "write " + exampleName(row) + ", for example");
   return number;
+}
+
+/// To the nearest half float, of a value in [0, 1]. (llvmpipe cuts off what does not fit, docs/llvmpipe.md.)
+float roundedToHalf(float value) {
+  constexpr float kSmallestNormal = 0x1p-14F, kSmallestStep = 0x1p-24F;
+  if (value < kSmallestNormal) return std::nearbyint(value / kSmallestStep) * kSmallestStep;
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return std::bit_cast<float>((bits + 0xFFF + (bits >> 13 & 1)) & ~std::uint32_t{0x1FFF});
 }
 
 }  // namespace
@@ -109,7 +120,11 @@ std::span<const Lookup> lookups() {
 std::span<const TableFormat> tableFormats() {
   static const std::vector<TableFormat> rows{
       {.name = "rgba32f", .description = "32-bit float", .bytesPerEntry = 16, .internalFormat = GL_RGBA32F},
-      {.name = "rgba16f", .description = "16-bit float", .bytesPerEntry = 8, .internalFormat = GL_RGBA16F},
+      {.name = "rgba16f",
+       .description = "16-bit float",
+       .bytesPerEntry = 8,
+       .internalFormat = GL_RGBA16F,
+       .rounded = roundedToHalf},
       {.name = "rgba16",
        .description = "16 bits a channel, from 0 to 1",
        .bytesPerEntry = 8,

@@ -56,6 +56,8 @@ struct TableFormat {
   std::size_t bytesPerEntry = 0;
   unsigned internalFormat = 0;  ///< OpenGL's name of it
   bool filteredInShader = false;
+  /// A value as the format holds it, where OpenGL's own conversion cannot be trusted to round; null: it can.
+  float (*rounded)(float value) = nullptr;
 };
 std::span<const TableFormat> tableFormats();
 /// Throws Error{input}, naming the nearest.

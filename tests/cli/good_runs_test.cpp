@@ -47,6 +47,13 @@ TEST_F(Render, JsonHoldsEveryKey) {
                                             "early_termination", "composite_late", "threads", "repeat"));
 }
 
+TEST_F(Render, LookupsTakeTheirNumberAndKeepTheirName) {
+  for (const char* name : {"riemann:1", "riemann:256", "riemann-linear:7", "exact", "2d", "3d-normalised", "integral"}) {
+    const auto json = nlohmann::json::parse(render({"-o", "a.png", "--json", "--lookup", name}));
+    EXPECT_EQ(json["settings"]["lookup"], name);
+  }
+}
+
 TEST_F(Render, JsonTellsWhatWasDrawn) {
   const auto json = nlohmann::json::parse(
       render({"-o", "a.png", "--json", "--k", "3", "--sort", "centroid", "--unit-length", "0.5"}));

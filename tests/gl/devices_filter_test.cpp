@@ -32,11 +32,11 @@ double trilinear(const std::vector<float>& table, const std::array<double, 3>& t
 
 class Filter : public GlTest {
  protected:
-  /// The largest error of the linear filter over a table of random values in [0, 1], held as `format`.
-  double largestError(GLenum format) {
+  /// The largest error of the linear filter over a table of random multiples of 1 / steps in [0, 1], held as `format`.
+  double largestError(GLenum format, unsigned steps = 255) {
     std::mt19937 random(1);
     std::vector<float> table(kTable * kTable * kTable * 4);
-    for (float& value : table) value = static_cast<float>(random() % 256) / 255.0F;  // exact in 8 bits
+    for (float& value : table) value = static_cast<float>(random() % 256) / static_cast<float>(steps);
     Texture texture = Texture::image3D("table", format, kTable, kTable, kTable);
     texture.upload(GL_RGBA, table);
     texture.filter(GL_LINEAR);
@@ -73,6 +73,16 @@ void main() {
 TEST_P(Filter, FloatTablesAreFilteredInFloatOnLlvmpipe) {
   if (device_->renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "GPUs filter with 8-bit weights";
   EXPECT_LE(largestError(GL_RGBA32F), 2e-6);
+}
+
+// Multiples of 1/255 are exact in 16 bits, those of 1/256 in half floats. What is not is cut off by llvmpipe as it is
+// uploaded, by up to a step of 2^-11: tables are rounded before.
+TEST_P(Filter, TablesOf16BitsAreFilteredInFloatOnLlvmpipe) {
+  if (device_->renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "GPUs filter with 8-bit weights";
+  EXPECT_LE(largestError(GL_RGBA16), 2e-6);
+  EXPECT_LE(largestError(GL_RGBA16F, 256), 2e-6);
+  EXPECT_LE(largestError(GL_RGBA16F), 2e-6 + 0x1p-11);
+  EXPECT_GT(largestError(GL_RGBA16F), 2e-6 + 0x1p-12);
 }
 
 // Weights of 8 bits at the least: three axes, half a step of 1/256 each, and rounding of the values to 8 bits.

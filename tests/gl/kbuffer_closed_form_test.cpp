@@ -125,7 +125,9 @@ TEST_P(KBufferClosedForm, ConstantBoxWithEveryLookup) {
   for (const VisibilityMethod& method : visibilityMethods())
     for (const Lookup& row : lookups())
       for (auto projection : {Projection::perspective, Projection::orthographic})
-        for (int k : method.maximumK > 0 ? std::vector{1, 2, 6, method.maximumK} : std::vector{6}) {
+        // A lookup sees segments, not k: one k for all but the first, as each program takes a second to be compiled.
+        for (int k : row.name == lookups().front().name ? std::vector{1, 2, 6, 14} : std::vector{6}) {
+          if (k != 6 && method.maximumK == 0) continue;
           Scene scene = smallScene(transfer.path());
           scene.visibility = method.name;
           if (row.carries == Payload::color && !method.carriesColors) continue;
@@ -286,6 +288,8 @@ TEST_P(KBufferClosedForm, OpaquePlateauIsASurface) {
   for (Scene& scene : byEveryMethod(smallScene(transfer.path())))
     for (const Lookup& row : lookups()) {
       if (row.carries == Payload::color) continue;  // its fragments know no opaque surfaces
+      // All methods call the same code for a segment: each lookup once.
+      if (scene.visibility != Scene{}.visibility && row.name != lookups().front().name) continue;
       scene.lookup = exampleName(row);
       const Drawing drawing = draw(*device_, scene, withPointField(mesh, values));
       const auto mask = maskOf(drawing);

@@ -9,8 +9,8 @@ namespace {
 constexpr int kBytesPerPixel = 16 + 4 + 4;  // colour and count targets, the end of the list
 constexpr std::size_t kBytesPerEnd = 4;
 /// Of all lists of a tile. Each tile draws all faces once more.
-constexpr std::size_t kMostFragmentBytes = std::size_t{512} << 20;
-/// Longer lists are sorted where they lie (abuffer_sort.glsl). A multiple of 32, times a power of two.
+constexpr std::size_t kMostFragmentBytes = std::size_t{256} << 20;
+/// Longer lists are sorted where they lie (abuffer_sort.glsl). A multiple of the runs there (16).
 constexpr int kLocalFragments = 256;
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "render/gl/lookup_resources.h"
 
+#include "core/parallel.h"
 #include "transfer/mean_tables.h"
 #include "transfer/packed_curve.h"
 #include "transfer/preintegration.h"
@@ -19,17 +20,28 @@ void addBufferTexture(ResourceTextures& made, const std::string& name, GLenum fo
   made.samplers.emplace(name, Texture::overBuffer(name, format, made.buffers.back()));
 }
 
-/// Adds a table under the name of its sampler. OpenGL converts to the format and rounds.
+/// Adds a table under the name of its sampler.
 void addTable(ResourceTextures& made, const char* name, Texture texture, const TableFormat& format,
-              const std::vector<float>& rgba) {
+              std::vector<float> rgba) {
+  if (format.rounded) parallelFor(0, rgba.size(), 1 << 16, [&](std::size_t i) { rgba[i] = format.rounded(rgba[i]); });
   texture.upload(GL_RGBA, std::span<const float>(rgba));
   if (!format.filteredInShader) texture.filter(GL_LINEAR);
   addHalfTexel(made, texture);
   made.samplers.emplace(name, std::move(texture));
 }
 
-/// The mean length of the segments that rays from everywhere cut out of the cells: 4 V / S of each cell for all lines
-/// through it (Cauchy), S the surface, so 4 (sum of V) / (sum of S) for all cells.
+ResourceTextures table3dTextures(Table3d table, const TableFormat& format) {
+  ResourceTextures made;
+  addTable(made, "table3d",
+           Texture::image3D("table over front, back and length", format.internalFormat, table.size, table.size,
+                            table.lengths),
+           format, std::move(table.rgba));
+  made.uniforms["lengthScale"] = static_cast<float>(1.0 / table.maximumLength);
+  return made;
+}
+
+}  // namespace
+
 double meanSegmentLength(const PreparedScene& prepared) {
   double volumes = 0, surfaces = 0;
   for (const Tetrahedron& cell : prepared.mesh.tetrahedra) {
@@ -41,18 +53,6 @@ double meanSegmentLength(const PreparedScene& prepared) {
   const double mean = 4 * volumes / surfaces;
   return mean > 0 ? mean : prepared.longestEdge;
 }
-
-ResourceTextures table3dTextures(const Table3d& table, const TableFormat& format) {
-  ResourceTextures made;
-  addTable(made, "table3d",
-           Texture::image3D("table over front, back and length", format.internalFormat, table.size, table.size,
-                            table.lengths),
-           format, table.rgba);
-  made.uniforms["lengthScale"] = static_cast<float>(1.0 / table.maximumLength);
-  return made;
-}
-
-}  // namespace
 
 ResourceTextures makeCurveTextures(const ResourceInput& input) {
   const PackedCurve<float> packed = packCurve<float>(withSurfaceColors(input.prepared.curve));
@@ -92,7 +92,7 @@ ResourceTextures makeTable2dTextures(const ResourceInput& input) {
   ResourceTextures made;
   addTable(made, "table2d",
            Texture::image2D("table over front and back", format.internalFormat, table.size, table.size), format,
-           table.rgba);
+           std::move(table.rgba));
   made.uniforms["mostExtinction"] = most;
   return made;
 }

@@ -29,6 +29,11 @@ struct ResourceTextures {
   std::vector<Buffer> buffers;  ///< that buffer textures look at
 };
 
+/// The mean length, local units, of the segments that rays from everywhere cut out of the cells: 4 V / S of each cell
+/// for all lines through it (Cauchy), S the surface, so 4 (sum of V) / (sum of S) for all cells. The 2D table is made
+/// for it.
+double meanSegmentLength(const PreparedScene& prepared);
+
 ResourceTextures makeCurveTextures(const ResourceInput& input);
 ResourceTextures makeIntegralTextures(const ResourceInput& input);
 ResourceTextures makeOpaqueTextures(const ResourceInput& input);
