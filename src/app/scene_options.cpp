@@ -9,8 +9,9 @@
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
-#include "gl/device.h"
+#include "render/devices.h"
 #include "render/lookups.h"
+#include "render/native/instruction_sets.h"
 #include "render/plan.h"
 #include "render/visibility.h"
 #include "sort/face_order.h"
@@ -67,7 +68,10 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
                       const auto& rows) {
     add(command, kGroup, name, value, "NAME", fmt::format("{} (default {}):{}", what, chosen, rowsForHelp(rows)));
   };
-  addTable("--device", options.device, "Where to draw", defaults.device, deviceRows());
+  addTable("--device", options.device, "Where to draw", defaults.device, renderDevices());
+  add(command, kGroup, "--simd", options.instructionSet, "NAME",
+      fmt::format("Instruction set of the native device (default: the widest of the processor):{}",
+                  rowsForHelp(instructionSets())));
   addTable("--visibility", options.visibility, "How a pixel's fragments are ordered", defaults.visibility,
            visibilityMethods());
   add(command, kGroup, "--k", options.k, "N|auto",
@@ -147,7 +151,9 @@ void setMethod(Scene& scene, const SceneOptions& options) {
   if (options.visibility) scene.visibility = *options.visibility;
   if (options.sort) scene.sort = known("--sort", *options.sort, namesOf(sortMethods()));
   if (options.lookup) scene.lookup = *options.lookup;
-  if (options.device) scene.device = known("--device", *options.device, namesOf(deviceRows()));
+  if (options.device) scene.device = known("--device", *options.device, namesOf(renderDevices()));
+  if (options.instructionSet)
+    scene.instructionSet = known("--simd", *options.instructionSet, namesOf(instructionSets()));
   if (options.tableFormat) scene.tableFormat = *options.tableFormat;
   if (options.targetFormat) scene.targetFormat = *options.targetFormat;
   if (options.k) setK(scene, *options.k);

@@ -23,7 +23,7 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
-  return plan.visibility.make(prepared, plan, stages, progress);
+  return (plan.native ? plan.visibility.native : plan.visibility.gl).make(prepared, plan, stages, progress);
 }
 
 }  // namespace havs

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "render/native/instruction_sets.h"
 #include "sort/face_order.h"
 
 namespace havs {
@@ -62,6 +63,19 @@ std::string methodsWith(bool VisibilityMethod::*property) {
   for (const VisibilityMethod& method : visibilityMethods())
     if (method.*property) names += (names.empty() ? "" : " or ") + method.name;
   return names;
+}
+
+/// How the method draws on the device.
+const DrawingWay& wayOf(const VisibilityMethod& method, const Capabilities& capabilities) {
+  if (!capabilities.native) return method.gl;
+  if (method.native.make == nullptr) {
+    std::string names;
+    for (const VisibilityMethod& other : visibilityMethods())
+      if (other.native.make != nullptr) names += (names.empty() ? "" : " or ") + other.name;
+    failInput("the native device does not draw with the visibility method " + method.name, "--device native",
+              "draw with --visibility " + names + ", or on another device");
+  }
+  return method.native;
 }
 
 void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method, const Lookup& chosen) {
@@ -135,14 +149,20 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
   checkScene(scene);
   RenderPlan result;
   result.visibility = visibilityMethod(scene.visibility);
-  result.ordering = orderingOf(result.visibility, capabilities);
+  const DrawingWay& way = wayOf(result.visibility, capabilities);
+  result.native = capabilities.native;
+  if (result.native) {
+    result.instructionSet = instructionSet(scene.instructionSet).name;
+  } else {
+    result.ordering = orderingOf(result.visibility, capabilities);
+  }
   if (result.visibility.needsOrder) result.sort = scene.sort;
   result.earlyTermination = scene.earlyTermination;
   result.cellData = facts.cellData;
   result.opaqueSurfaces = facts.opaqueSurfaces;
   result.certificate = scene.certificate;
   planLookup(result, scene, facts, capabilities);
-  result.visibility.plan(result, scene, capabilities);
+  way.plan(result, scene, capabilities);
   return result;
 }
 

@@ -12,6 +12,7 @@ namespace havs {
 
 /// What the machine can do, as far as plans depend on it.
 struct Capabilities {
+  bool native = false;  ///< the native device: no OpenGL, nothing below matters
   std::function<bool(const std::string&)> hasExtension;
   int maximumDrawBuffers = 8;
   int maximumTextureSize = 16384;
@@ -29,6 +30,8 @@ struct ShaderDefine {
 /// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; the device, which
 /// is not its own, is chosen by its name in the scene.
 struct RenderPlan {
+  bool native = false;         ///< drawn by the native device
+  std::string instructionSet;  ///< of the native device: row of instructionSets()
   VisibilityMethod visibility;
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
   std::string sort;      ///< row of sortMethods(); empty: faces need no order

@@ -8,8 +8,8 @@
 
 namespace havs {
 
-/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods()
-/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h),
+/// What is asked for. Names refer to the tables: renderDevices() (render/devices.h), visibilityMethods()
+/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h), instructionSets() (render/native/instruction_sets.h),
 /// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
@@ -23,6 +23,7 @@ struct Scene {
   int height = 1024;
   Camera camera;
   std::string device = "osmesa";
+  std::string instructionSet;  ///< of the native device; empty: the widest that the processor has
   std::string visibility = "kbuffer";
   std::string sort = "topological";
   int k = 6;
