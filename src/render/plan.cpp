@@ -161,6 +161,7 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
   result.cellData = facts.cellData;
   result.opaqueSurfaces = facts.opaqueSurfaces;
   result.certificate = scene.certificate;
+  result.compositeLate = scene.compositeLate;
   planLookup(result, scene, facts, capabilities);
   way.plan(result, scene, capabilities);
   return result;

@@ -51,6 +51,7 @@ struct RenderPlan {
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool certificate = false;
+  bool compositeLate = false;
 };
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table
