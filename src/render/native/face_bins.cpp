@@ -35,11 +35,10 @@ void FaceBins::findTiles(const RasterMesh& mesh, std::size_t faceCount, const Ti
       const RasterPoint& p = mesh.points[v];
       before = before && p.w > 0;
       behind = behind && !(p.w > 0);
-      const double x = p.x / p.w, y = p.y / p.w;
-      low[0] = std::min(low[0], x);
-      high[0] = std::max(high[0], x);
-      low[1] = std::min(low[1], y);
-      high[1] = std::max(high[1], y);
+      low[0] = std::min(low[0], p.column);
+      high[0] = std::max(high[0], p.column);
+      low[1] = std::min(low[1], p.row);
+      high[1] = std::max(high[1], p.row);
     }
     const auto [left, right] = pixelsIn(low[0], high[0], mesh.width);
     const auto [top, bottom] = pixelsIn(low[1], high[1], mesh.height);

@@ -12,13 +12,13 @@
 namespace havs {
 namespace {
 
-/// Linear functions of a face: the three edges, their sum, the depth's numerator, those of what fragments carry. Padded
-/// to whole SIMD registers.
+/// Linear functions of a face: the three edges, their sum, the depth's numerator, those of what fragments carry. Set up
+/// in double relative to the face's first stamp, so that float keeps the place across the face.
 template <int kAttributes>
 struct FaceFunctions {
   static constexpr int kSum = 3, kDepth = 4, kFirstAttribute = 5;
-  static constexpr int kCount = 5 + kAttributes, kPadded = (kCount + 3) / 4 * 4;
-  alignas(64) double atOrigin[kPadded], perX[kPadded], perY[kPadded];
+  static constexpr int kCount = 5 + kAttributes;
+  float atOrigin[kCount], perX[kCount], perY[kCount];
   float depth0;                   ///< the first corner's, which the numerators are relative to
   float attribute0[kAttributes];  ///< the same
 };
@@ -54,8 +54,12 @@ enum class FaceWay {
   pixelByPixel,  ///< in double: seen edge on, or partly behind the eye
 };
 
-/// Below this height in pixels, float would lose the place across the face.
+/// A face whose height is a smaller part of its extent in the tile is drawn pixel by pixel: float would lose the place
+/// across it.
 constexpr double kLeastHeight = 1.0 / 64;
+/// Of |perX| + |perY| and a pixel of extent: what float may be off by, in the value of an edge function. Four roundings
+/// of 2^-24 each of at most twice the extent.
+constexpr double kFloatError = 0x1p-21;
 
 struct Homogeneous {
   double x, y, w;

@@ -15,9 +15,10 @@ inline constexpr int kStampSide = 4;
 inline constexpr int kStampPixels = kStampSide * kStampSide;
 inline constexpr int kLargestK = 14;
 
-/// A point of the mesh in the picture, with its scalar of [0, 1] (point data).
-struct RasterPoint : ScreenPoint {
-  double scalar;
+/// A point of the mesh in the picture: a cache line.
+struct alignas(64) RasterPoint : ScreenPoint {
+  double column, row;  ///< x / w, y / w
+  double scalar;       ///< of [0, 1]; point data
 };
 
 /// The mesh as one view sees it.

@@ -47,7 +47,10 @@ class TileDrawer {
 
   void draw() {
     begin();
-    for (std::size_t i = 0; i < tile_.faceCount && tile_.activePixels > 0; ++i) drawFace(tile_.faces[i]);
+    for (std::size_t i = 0; i < tile_.faceCount && tile_.activePixels > 0; ++i) {
+      fetchAhead(i);
+      drawFace(tile_.faces[i]);
+    }
     finish();
   }
 
@@ -58,6 +61,15 @@ class TileDrawer {
     alignas(64) float attribute[kAttributes][kStampPixels];
     alignas(64) float kind[kStampPixels];
   };
+
+  /// Faces and their corners lie anywhere in memory.
+  void fetchAhead(std::size_t i) const {
+    constexpr std::size_t kFaces = 16, kCorners = 6;
+    if (i + kFaces >= tile_.faceCount) return;
+    __builtin_prefetch(tile_.mesh.faces[tile_.faces[i + kFaces] & ~kBoundaryBit]);
+    const std::uint32_t* corners = tile_.mesh.faces[tile_.faces[i + kCorners] & ~kBoundaryBit];
+    for (int j = 0; j < 3; ++j) __builtin_prefetch(tile_.mesh.points + corners[j]);
+  }
 
   float* stateOf(int stamp) const {
     return tile_.state + static_cast<std::size_t>(stamp) * kStateNumbers * kStampPixels;
@@ -220,107 +232,90 @@ class TileDrawer {
     Box box;
     if (!boxInTile(corners, box)) return;
 
-    const double x0 = tile_.left + 0.5, y0 = tile_.top + 0.5;
+    const int stampX = box.left / kStampSide * kStampSide, stampY = box.top / kStampSide * kStampSide;
+    const double x0 = tile_.left + stampX + 0.5, y0 = tile_.top + stampY + 0.5;
     Homogeneous h[3];
     for (int i = 0; i < 3; ++i)
       h[i] = {corners.p[i]->x - x0 * corners.p[i]->w, corners.p[i]->y - y0 * corners.p[i]->w, corners.p[i]->w};
     const Linear edge[3] = {edgeOf(h[1], h[2]), edgeOf(h[2], h[0]), edgeOf(h[0], h[1])};  // opposite to corner 0, 1, 2
     const double determinant = h[0].w * edge[0].atOrigin + h[0].x * edge[0].perX + h[0].y * edge[0].perY;
-    if (isThin(h, edge, determinant)) return drawPixelByPixel(corners, face, boundary, box);
+    const double extent = kStampSide + std::max(box.right - box.left, box.bottom - box.top);
+    if (isThin(h, edge, determinant, extent)) return drawPixelByPixel(corners, face, boundary, box);
 
-    const double sign = determinant > 0 ? 1.0 : -1.0;
     const bool entersMesh = (determinant < 0) != corners.reversed;
     Functions functions;
-    float limit[3];
-    setUp(functions, h, edge, sign, corners, face, entersMesh, limit);
-    drawStamps(functions, limit, corners, box, boundary ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
+    setUp(functions, h, edge, determinant > 0 ? 1.0 : -1.0, extent, corners, face, entersMesh);
+    drawStamps(functions, corners, box, boundary ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
   }
 
   bool boxInTile(const FaceCorners& corners, Box& box) const {
-    double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
-    bool before = true;
-    for (const RasterPoint* p : corners.p) {
-      before = before && p->w > 0;
-      const double x = p->x / p->w, y = p->y / p->w;
-      low[0] = std::min(low[0], x);
-      high[0] = std::max(high[0], x);
-      low[1] = std::min(low[1], y);
-      high[1] = std::max(high[1], y);
-    }
+    const RasterPoint &a = *corners.p[0], &b = *corners.p[1], &c = *corners.p[2];
     const int lastX = kStampSide * tile_.stampsAcross - 1, lastY = kStampSide * tile_.stampsDown - 1;
-    if (!before) {
+    if (!(a.w > 0 && b.w > 0 && c.w > 0)) {
       box = {0, 0, lastX, lastY};
       return true;
     }
     constexpr double kMargin = 1e-6;  // for the rounding of the divisions
     const double x0 = tile_.left + 0.5, y0 = tile_.top + 0.5;
-    const double left = std::max(std::ceil(low[0] - x0 - kMargin), 0.0);
-    const double right = std::min(std::floor(high[0] - x0 + kMargin), static_cast<double>(lastX));
-    const double top = std::max(std::ceil(low[1] - y0 - kMargin), 0.0);
-    const double bottom = std::min(std::floor(high[1] - y0 + kMargin), static_cast<double>(lastY));
-    if (!(left <= right && top <= bottom)) return false;
-    box = {static_cast<int>(left), static_cast<int>(top), static_cast<int>(right), static_cast<int>(bottom)};
-    return true;
+    // From -1 on: of a value below 0, truncation would not give the next larger number.
+    auto first = [](double low) { return static_cast<int>(std::max(low, -1.0) + 2.0) - 1; };
+    auto last = [](double high, int most) { return static_cast<int>(std::min(high, most + 0.5) + 1.0) - 1; };
+    box.left = first(std::min(std::min(a.column, b.column), c.column) - x0 - kMargin);
+    box.top = first(std::min(std::min(a.row, b.row), c.row) - y0 - kMargin);
+    const double right = std::max(std::max(a.column, b.column), c.column) - x0 + kMargin;
+    const double bottom = std::max(std::max(a.row, b.row), c.row) - y0 + kMargin;
+    if (!(right >= 0 && bottom >= 0)) return false;
+    box.right = last(right, lastX);
+    box.bottom = last(bottom, lastY);
+    return box.left <= box.right && box.top <= box.bottom;
   }
 
   /// Whether the face is too thin in the picture for float, or not wholly before the eye.
-  static bool isThin(const Homogeneous* h, const Linear* edge, double determinant) {
+  static bool isThin(const Homogeneous* h, const Linear* edge, double determinant, double extent) {
     const double size = std::abs(determinant);
     bool thin = false;
     for (int i = 0; i < 3; ++i) {
       const double run = std::abs(edge[i].perX) + std::abs(edge[i].perY);  // at least the edge's length times w w
-      thin = thin || !(h[i].w > 0) || !(size > kLeastHeight * h[i].w * run);
+      thin = thin || !(h[i].w > 0) || !(size > kLeastHeight * extent * h[i].w * run);
     }
     return thin;
   }
 
-  void setUp(Functions& f, const Homogeneous* h, const Linear* edge, double sign, const FaceCorners& corners,
-             std::uint32_t face, bool entersMesh, float* limit) const {
-    // A sign is sure above the limit; edges are scaled so that the limit is 1.
-    constexpr double kFloatError = 0x1p-20;  // of a stamp's three steps in each direction, added up in float
-    const double reach = kStampSide * std::max(tile_.stampsAcross, tile_.stampsDown);
+  void setUp(Functions& f, const Homogeneous* h, const Linear* edge, double sign, double extent,
+             const FaceCorners& corners, std::uint32_t face, bool entersMesh) const {
+    // A sign is sure where the value exceeds its error; edges are scaled so that this is 1.
     const int ends[3][2] = {{1, 2}, {2, 0}, {0, 1}};
-    double sum[3] = {0, 0, 0}, depth[3] = {0, 0, 0};
+    Linear sum{0, 0, 0};
     for (int i = 0; i < 3; ++i) {
-      const double most = kFloatError * (std::abs(edge[i].perX) + std::abs(edge[i].perY)) +
-                          doubleError(h[ends[i][0]], h[ends[i][1]], reach);
-      const double scale = sign / most;
-      f.atOrigin[i] = scale * edge[i].atOrigin;
-      f.perX[i] = scale * edge[i].perX;
-      f.perY[i] = scale * edge[i].perY;
-      limit[i] = 1.0f;
+      const double error = kFloatError * extent * (std::abs(edge[i].perX) + std::abs(edge[i].perY)) +
+                           doubleError(h[ends[i][0]], h[ends[i][1]], extent);
+      put(f, i, edge[i], sign / error);
+      sum = {sum.atOrigin + edge[i].atOrigin, sum.perX + edge[i].perX, sum.perY + edge[i].perY};
     }
-    const double depth0 = corners.p[0]->depth;
-    const double depthStep[3] = {0, corners.p[1]->depth - depth0, corners.p[2]->depth - depth0};
-    for (int i = 0; i < 3; ++i) {
-      const double e[3] = {sign * edge[i].atOrigin, sign * edge[i].perX, sign * edge[i].perY};
-      for (int j = 0; j < 3; ++j) {
-        sum[j] += e[j];
-        depth[j] += depthStep[i] * e[j];
-      }
-    }
-    put(f, Functions::kSum, sum);
-    put(f, Functions::kDepth, depth);
-    f.depth0 = static_cast<float>(depth0);
+    put(f, Functions::kSum, sum, sign);
+    const double depth[3] = {corners.p[0]->depth, corners.p[1]->depth, corners.p[2]->depth};
+    f.depth0 = putNumerator(f, Functions::kDepth, edge, depth, sign);
     for (int a = 0; a < kAttributes; ++a) {
-      double value[3], numerator[3] = {0, 0, 0};
+      double value[3];
       attributesOf(corners, face, entersMesh, a, value);
-      for (int i = 1; i < 3; ++i) {
-        const double step = sign * (value[i] - value[0]);
-        numerator[0] += step * edge[i].atOrigin;
-        numerator[1] += step * edge[i].perX;
-        numerator[2] += step * edge[i].perY;
-      }
-      put(f, Functions::kFirstAttribute + a, numerator);
-      f.attribute0[a] = static_cast<float>(value[0]);
+      f.attribute0[a] = putNumerator(f, Functions::kFirstAttribute + a, edge, value, sign);
     }
-    for (int i = Functions::kCount; i < Functions::kPadded; ++i) f.atOrigin[i] = f.perX[i] = f.perY[i] = 0;
   }
 
-  static void put(Functions& f, int which, const double* value) {
-    f.atOrigin[which] = value[0];
-    f.perX[which] = value[1];
-    f.perY[which] = value[2];
+  static void put(Functions& f, int which, const Linear& linear, double scale) {
+    f.atOrigin[which] = static_cast<float>(scale * linear.atOrigin);
+    f.perX[which] = static_cast<float>(scale * linear.perX);
+    f.perY[which] = static_cast<float>(scale * linear.perY);
+  }
+
+  /// Of what has these values at the corners, relative to the first, which is returned.
+  static float putNumerator(Functions& f, int which, const Linear* edge, const double* value, double sign) {
+    const double b = value[1] - value[0], c = value[2] - value[0];
+    put(f, which,
+        {b * edge[1].atOrigin + c * edge[2].atOrigin, b * edge[1].perX + c * edge[2].perX,
+         b * edge[1].perY + c * edge[2].perY},
+        sign);
+    return static_cast<float>(value[0]);
   }
 
   /// Attribute `a` at the three corners.
@@ -338,43 +333,44 @@ class TileDrawer {
   }
 
   // ------------------------------------------------------------------------------------------ by stamps
-  void drawStamps(const Functions& f, const float*, const FaceCorners& corners, const Box& box, float kind) {
-    alignas(64) float step[Functions::kPadded][kStampPixels];  // from the stamp's first pixel
-    float most[3];                                             // the edges' largest step
-    for (int i = 0; i < Functions::kCount; ++i) {
-      const float x = static_cast<float>(f.perX[i]), y = static_cast<float>(f.perY[i]);
-      for (int lane = 0; lane < kStampPixels; ++lane)
-        step[i][lane] = x * static_cast<float>(lane % kStampSide) + y * static_cast<float>(lane / kStampSide);
-      if (i < 3) most[i] = std::max(x * 3.0f, 0.0f) + std::max(y * 3.0f, 0.0f);
-    }
-    for (int row = box.top / kStampSide; row <= box.bottom / kStampSide; ++row) {
-      alignas(64) double atRow[Functions::kPadded];
-      for (int i = 0; i < Functions::kPadded; ++i) atRow[i] = f.atOrigin[i] + f.perY[i] * (row * kStampSide);
-      for (int column = box.left / kStampSide; column <= box.right / kStampSide; ++column) {
-        alignas(64) float base[Functions::kPadded];
-        for (int i = 0; i < Functions::kPadded; ++i)
-          base[i] = static_cast<float>(atRow[i] + f.perX[i] * (column * kStampSide));
-        // Wholly outside of an edge? 2: for the rounding of this sum, the limit being 1 above the edges' own.
-        if (base[0] + most[0] < -2.0f || base[1] + most[1] < -2.0f || base[2] + most[2] < -2.0f) continue;
+  void drawStamps(const Functions& f, const FaceCorners& corners, const Box& box, float kind) {
+    const int firstColumn = box.left / kStampSide, lastColumn = box.right / kStampSide;
+    const int firstRow = box.top / kStampSide, lastRow = box.bottom / kStampSide;
+    alignas(64) static constexpr float kX[kStampPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) static constexpr float kY[kStampPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    Real edge[3][kGroups];  // at the pixels of the first stamp
+    for (int i = 0; i < 3; ++i)
+      for (int group = 0; group < kGroups; ++group)
+        edge[i][group] = (Real(f.perX[i]) * Lanes::load(kX + group * kLanes) +
+                          Real(f.perY[i]) * Lanes::load(kY + group * kLanes)) +
+                         Real(f.atOrigin[i]);
+    for (int row = firstRow; row <= lastRow; ++row) {
+      const float y = static_cast<float>((row - firstRow) * kStampSide);
+      for (int column = firstColumn; column <= lastColumn; ++column) {
         const int stamp = row * tile_.stampsAcross + column;
         const unsigned active = tile_.active[stamp];
         if (active == 0) continue;
-        for (int group = 0; group < kGroups; ++group)
-          drawGroup(f, base, step, corners, stamp, group, groupBits(active, group), kind);
+        const float x = static_cast<float>((column - firstColumn) * kStampSide);
+        for (int group = 0; group < kGroups; ++group) {
+          auto value = [&](int i) { return edge[i][group] + Real(f.perX[i] * x + f.perY[i] * y); };
+          auto least = [](Real a, Real b) { return Lanes::select(a < b, a, b); };
+          const Real inside = least(least(value(0), value(1)), value(2));
+          const unsigned bits = groupBits(active, group);
+          const unsigned sure = Lanes::bitsOf(inside > Real(1.0f)) & bits;
+          const unsigned unsure = Lanes::bitsOf(inside >= Real(-1.0f)) & bits & ~sure;
+          if ((sure | unsure) == 0) continue;
+          const unsigned covered = unsure == 0 ? sure : sure | decide(corners, stamp, group, unsure);
+          if (covered != 0)
+            drawGroup(f, Real(x) + Lanes::load(kX + group * kLanes), Real(y) + Lanes::load(kY + group * kLanes), stamp,
+                      group, covered, kind);
+        }
       }
     }
   }
 
-  void drawGroup(const Functions& f, const float* base, const float (*step)[kStampPixels], const FaceCorners& corners,
-                 int stamp, int group, unsigned bits, float kind) {
-    auto function = [&](int i) { return Real(base[i]) + Lanes::load(step[i] + group * kLanes); };
-    auto least = [](Real a, Real b) { return Lanes::select(a < b, a, b); };
-    const Real inside = least(least(function(0), function(1)), function(2));
-    const unsigned sure = Lanes::bitsOf(inside > Real(1.0f));
-    const unsigned possible = Lanes::bitsOf(inside >= Real(-1.0f));
-    unsigned covered = bits & sure;
-    if (const unsigned unsure = bits & possible & ~sure; unsure != 0) covered |= decide(corners, stamp, group, unsure);
-    if (covered == 0) return;
+  /// (x, y): of the pixels, from the face's first stamp.
+  void drawGroup(const Functions& f, Real x, Real y, int stamp, int group, unsigned covered, float kind) {
+    auto function = [&](int i) { return Real(f.perX[i]) * x + Real(f.perY[i]) * y + Real(f.atOrigin[i]); };
     tile_.fragments += static_cast<unsigned>(std::popcount(covered));
 
     const Real perSum = Real(1.0f) / function(Functions::kSum);
