@@ -15,11 +15,16 @@ using TileKernel = void (*)(TileDraw& tile);
 /// Writes the colours of a queue's segments (render/native/segment_shader.h).
 using SegmentKernel = void (*)(const LookupData& data, SegmentQueue& queue);
 
+struct NamedSegmentKernel {
+  const char* shader;  ///< Lookup::shader of its lookup
+  SegmentKernel kernel;
+};
+
 struct KernelSet {
   /// k from 1 to 14.
   TileKernel (*tileKernel)(int k, Payload carries);
-  /// Of the lookup whose shader that is (Lookup::shader).
-  SegmentKernel (*segmentKernel)(const std::string& shader);
+  /// Of every lookup; ends with a null shader.
+  const NamedSegmentKernel* segmentKernels;
 };
 
 }  // namespace havs
