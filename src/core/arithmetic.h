@@ -104,6 +104,7 @@ struct Arithmetic {
 #include "core/curve.glsl"
 #include "core/exponential.glsl"
 #include "core/kbuffer.glsl"
+#include "core/limits.glsl"
 #include "core/opaque.glsl"
 // what uses the types of the above
 #include "core/integration.glsl"

@@ -1,6 +1,8 @@
 // Compiled once for each instruction set (CMakeLists.txt): HAVS_KERNELS names the function, HAVS_SIMD_ARCH the lanes.
 #include "render/native/kernel_sets.h"
 #include "render/native/tile_kernel.h"
+#include "render/native/segment_kernels.h"
+#include "render/native/simd.h"
 
 namespace havs {
 namespace {
@@ -26,7 +28,7 @@ TileKernel speculativeTileKernel(int k, Payload carries) {
 }  // namespace
 
 const KernelSet& HAVS_KERNELS() {
-  static const KernelSet set{tileKernel, speculativeTileKernel, nullptr};
+  static const KernelSet set{tileKernel, speculativeTileKernel, kSegmentKernels};
   return set;
 }
 

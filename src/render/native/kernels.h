@@ -15,6 +15,11 @@ using TileKernel = void (*)(TileDraw& tile);
 /// Writes the colours of a queue's segments (render/native/segment_shader.h).
 using SegmentKernel = void (*)(const LookupData& data, SegmentQueue& queue);
 
+struct NamedSegmentKernel {
+  const char* shader;  ///< Lookup::shader of its lookup
+  SegmentKernel kernel;
+};
+
 struct KernelSet {
   /// k from 1 to kLargestK.
   TileKernel (*tileKernel)(int k, Payload carries);
@@ -22,8 +27,8 @@ struct KernelSet {
   /// pixel's entries after one has left. All other pixels have left in the order of their distances, and are, to the
   /// last bit, what every larger k gives.
   TileKernel (*speculativeTileKernel)(int k, Payload carries);
-  /// Of the lookup whose shader that is (Lookup::shader).
-  SegmentKernel (*segmentKernel)(const std::string& shader);
+  /// Of every lookup; ends with a null shader.
+  const NamedSegmentKernel* segmentKernels;
 };
 
 }  // namespace havs

@@ -45,6 +45,7 @@ struct ScalarLanes {
 };
 
 #if defined(HAVS_SIMD_ARCH)
+namespace {  // functions of one name for several instruction sets must not be merged by the linker
 
 /// The lanes of HAVS_SIMD_ARCH, an architecture of xsimd.
 struct SimdLanes {
@@ -116,6 +117,7 @@ struct SimdLanes {
   }
 };
 
+}  // namespace
 #else
 using SimdLanes = ScalarLanes;
 #endif
