@@ -41,7 +41,7 @@ Json asJson(const AxisChoice& choice, const Scene& baseline) {
   return {{"name", choice.axis->name},
           {"title", choice.axis->title},
           {"values", choice.values},
-          {"baseline", choice.axis->valueOf(baseline)},
+          {"baseline", choice.axis->applies(baseline) ? Json(choice.axis->valueOf(baseline)) : Json()},
           {"ordered", choice.axis->ordered}};
 }
 
