@@ -61,6 +61,15 @@ void addPictureOptions(CLI::App& command, SceneOptions& options) {
       "white (default), black, none, '#rrggbb' or r,g,b from 0 to 1");
 }
 
+/// "3d 128, 2d 512"
+std::string ownTableSizes() {
+  std::string text;
+  for (const Lookup& row : lookups())
+    if (const LookupResource* table = tableOf(row))
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", row.name, table->ownSize);
+  return text;
+}
+
 void addMethodOptions(CLI::App& command, SceneOptions& options) {
   constexpr const char* kGroup = "Method";
   const Scene defaults;
@@ -80,7 +89,8 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
   addTable("--lookup", options.lookup, "How a segment's colour is found", defaults.lookup, lookups());
   add(command, kGroup, "--table", options.tableSize, "N",
-      fmt::format("Entries along each axis of the table (default {})", defaults.tableSize));
+      "Size of the table: entries along each axis, unless the lookup says otherwise (default: " + ownTableSizes() +
+          ")");
   addTable("--table-format", options.tableFormat, "Numbers of the table", defaults.tableFormat, tableFormats());
   addTable("--target-format", options.targetFormat, "Numbers of the k-buffer's targets", defaults.targetFormat,
            targetFormats());

@@ -16,6 +16,7 @@ struct LookupResource {
   std::string description;
   int axes = 0;         ///< of a table whose size and number format can be chosen; 0: no such table
   int largestSize = 0;  ///< entries along each axis, 2 at the least
+  int ownSize = 0;      ///< of a table for which none is asked
   /// Makes the tables and numbers (render/lookup_resources.h).
   ResourceData (*make)(const ResourceInput& input) = nullptr;
 };

@@ -23,11 +23,11 @@ void addResource(RenderPlan& result, const std::string& name, const Scene& scene
   result.resources.push_back(resource);
   if (resource.axes == 0) return;
   result.tableFormat = tableFormat(scene.tableFormat);
-  result.tableSize = scene.tableSize;
+  result.tableSize = tableSizeOf(scene);
   if (result.tableFormat.filteredInShader) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
   const int most = resource.axes == 3 ? capabilities.maximum3dTextureSize : capabilities.maximumTextureSize;
-  if (scene.tableSize > most)
-    failRunning("a table of " + std::to_string(scene.tableSize) + "^" + std::to_string(resource.axes) +
+  if (result.tableSize > most)
+    failRunning("a table of " + std::to_string(result.tableSize) + "^" + std::to_string(resource.axes) +
                     " is larger than this OpenGL's textures (" + std::to_string(most) + ")",
                 "", "choose a smaller one");
 }
@@ -102,6 +102,11 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
+int tableSizeOf(const Scene& scene) {
+  const LookupResource* table = tableOf(lookup(scene.lookup));
+  return table == nullptr ? 0 : scene.tableSize.value_or(table->ownSize);
+}
+
 int entriesPerTarget(const Lookup& lookup) { return lookup.carries == Payload::color ? 1 : 2; }
 
 int largestK(const Scene& scene, const Capabilities& capabilities) {
@@ -129,7 +134,7 @@ void checkScene(const Scene& scene) {
   targetFormat(scene.targetFormat);
   if (const LookupResource* table = tableOf(row)) {
     tableFormat(scene.tableFormat);
-    checkRange(scene.tableSize, kSmallestTable, table->largestSize, "the table's size");
+    checkRange(tableSizeOf(scene), kSmallestTable, table->largestSize, "the table's size");
   }
   checkRange(scene.width, 1, kLargestSide, "the picture's width");
   checkRange(scene.height, 1, kLargestSide, "the picture's height");

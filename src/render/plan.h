@@ -61,6 +61,10 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
 
+/// Entries along each axis of the table of the scene's lookup: those asked for, else the lookup's own
+/// (LookupResource::ownSize); 0 for a lookup without a table. Throws Error{input} for an unknown lookup.
+int tableSizeOf(const Scene& scene);
+
 /// How many k-buffer entries share a target: two that carry a scalar, one that carries a colour.
 int entriesPerTarget(const Lookup& lookup);
 
