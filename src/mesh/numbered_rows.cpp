@@ -17,8 +17,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kStretch = 1 << 19;
-
 RowsRead readLineByLine(TextScanner& in, const NumberedRows& rows, const Progress& progress) {
   constexpr std::size_t kReport = 65536;
   RowsRead result;
@@ -51,7 +49,7 @@ struct Stretch {
 std::optional<std::vector<Stretch>> stretchesOf(const TextScanner& in, const NumberedRows& rows) {
   std::vector<Stretch> stretches;
   for (std::string_view rest = in.rest(); !rest.empty();) {
-    const std::size_t cut = rest.find('\n', std::min(kStretch, rest.size()));
+    const std::size_t cut = rest.find('\n', std::min(rows.stretch, rest.size()));
     const std::string_view text = rest.substr(0, cut == std::string_view::npos ? cut : cut + 1);
     rest.remove_prefix(text.size());
     TextScanner head(in, text);

@@ -17,6 +17,7 @@ struct NumberedRows {
   /// Reads what follows the number of row `index` (from 0); `number` is the one it has in the file. Called once a row,
   /// from several threads; may throw Error{input} through the scanner.
   std::function<void(TextScanner& in, std::size_t index, std::int64_t number)> read;
+  std::size_t stretch = 1 << 19;  ///< bytes that a thread reads at a time, at least
 };
 
 /// What came of a table.

@@ -112,7 +112,7 @@ std::optional<CompressedData::Blocks> blocksOf(const ByteStream& stream, std::si
   const auto [count, blockBytes, rest] = head;
   if (count == 0 || blockBytes == 0 || blockBytes % bytesEach != 0 || rest >= blockBytes) return {};
   if (bytes / kMostThatZipShrinks > stream.most() || count > stream.most() / headerBytes) return {};
-  if (blockBytes > bytes || (bytes + blockBytes - 1) / blockBytes != count || bytes % blockBytes != rest) return {};
+  if (bytes / blockBytes + (rest > 0 ? 1 : 0) != count || bytes % blockBytes != rest) return {};
   std::vector<std::size_t> numbers(3 + count);
   if (!readHeader(stream, headerBytes, numbers)) return {};
   CompressedData::Blocks blocks{{0}, blockBytes, rest == 0 ? blockBytes : rest};
