@@ -16,6 +16,14 @@ FacePieces::FacePieces(std::span<const std::array<Index, 4>> facesOfCell, std::s
       ready_(ready),
       alone_(threadCount() == 1) {}
 
+FacePieces::~FacePieces() {
+  tasks_.cancel();  // there are none left unless something was thrown
+  try {
+    tasks_.wait();
+  } catch (...) {
+  }
+}
+
 void FacePieces::add(const Piece& piece) {
   const std::size_t number = pieces_++;
   if (alone_) {

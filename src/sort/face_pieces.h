@@ -24,6 +24,10 @@ class FacePieces {
 
   FacePieces(std::span<const std::array<Index, 4>> facesOfCell, std::span<const CellMarks> marks,
              std::span<const Index> cells, std::span<Index> faces, const std::function<void(std::size_t)>& ready);
+  ~FacePieces();
+  FacePieces(const FacePieces&) = delete;
+  FacePieces& operator=(const FacePieces&) = delete;
+
   /// The cells of the piece are written. Pieces must come one behind the other.
   void add(const Piece& piece);
   /// Returns when all pieces are written; rethrows what `ready` threw.

@@ -96,6 +96,7 @@ class TopologicalSorter final : public FaceSorter {
   std::vector<Index> cells_;               ///< in the order of the last view
   std::vector<FacePieces::Piece> pieces_;  ///< of cells_
   CellSearch search_;
+  bool isSearched_ = false;               ///< the search of these sides and starts came to its end
   std::vector<std::uint32_t> startKeys_;  ///< one a boundary face
   std::vector<KeyedIndex> leftFaces_;
   RadixSorter radixSorter_;
@@ -121,9 +122,11 @@ void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
   order.faces.resize(input_.faces->size());
   const bool sidesChanged = findSides(), startsChanged = findStarts();
   FacePieces pieces(input_.faces->ofCell, marks_, cells_, order.faces, ready);
-  if (sidesChanged || startsChanged) {
+  if (sidesChanged || startsChanged || !isSearched_) {
+    isSearched_ = false;
     findMarks();
     search(pieces);
+    isSearched_ = true;
   } else {
     for (const FacePieces::Piece& piece : pieces_) pieces.add(piece);
   }
