@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,6 +30,14 @@ class FaceSorter {
   virtual ~FaceSorter() = default;
   /// Writes all faces, near first, into `order` (its memory is used again). Deterministic for any number of threads.
   virtual void sort(const ViewPoint& view, FaceOrder& order) = 0;
+  /// The same, handed over in pieces: `ready(count)` is called with growing counts, the last that of all faces, when
+  /// order.faces[0 .. count) are written for good. order.faces has its full size from the first call on, so nothing
+  /// moves. The calls come one after another, but maybe from other threads; they should return soon. What they throw is
+  /// rethrown. Orders that are known only as a whole call it once.
+  virtual void sortInPieces(const ViewPoint& view, FaceOrder& order, const std::function<void(std::size_t)>& ready) {
+    sort(view, order);
+    ready(order.faces.size());
+  }
 };
 
 /// What a sorter works on; all must outlive it. Points in the local frame, cells right-handed (repairMesh).
