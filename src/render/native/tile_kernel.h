@@ -10,13 +10,16 @@
 
 #include "core/arithmetic.h"
 #include "raster/face_hit.h"
-#include "render/native/face_setup.h"
+#include "render/native/face_batch.h"
 #include "render/native/simd.h"
 
 namespace havs {
 namespace {
 
 constexpr unsigned kAllLanes = 0xFFFFu;
+/// Of each lane in its stamp.
+alignas(64) constexpr float kLaneX[kStampPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr float kLaneY[kStampPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
 template <int kAttributes, class Lanes>
 struct PayloadFor;
@@ -36,7 +39,7 @@ class TileDrawer {
   using A = Arithmetic<Lanes, K, PayloadFor<kAttributes, Lanes>::template Type>;
   using Real = typename Lanes::Real;
   using Mask = typename Lanes::Mask;
-  using Functions = FaceFunctions<kAttributes>;
+  using Batch = FaceBatch<kAttributes>;
   static constexpr int kLanes = static_cast<int>(Lanes::kLanes);
   static constexpr int kGroups = kStampPixels / kLanes;  ///< a stamp is drawn in so many groups of lanes
   static constexpr unsigned kGroupBits = kAllLanes >> (kStampPixels - kLanes);
@@ -47,28 +50,21 @@ class TileDrawer {
 
   void draw() {
     begin();
-    for (std::size_t i = 0; i < tile_.faceCount && tile_.activePixels > 0; ++i) {
+    for (std::size_t i = 0; i < tile_.faceCount && tile_.activePixels > 0; i += kBatch) {
       fetchAhead(i);
-      drawFace(tile_.faces[i]);
+      drawBatch(tile_.faces + i, static_cast<int>(std::min<std::size_t>(kBatch, tile_.faceCount - i)));
     }
     finish();
   }
 
  private:
-  /// What a stamp's fragments carry, one number a lane.
-  struct StampFragments {
-    alignas(64) float distance[kStampPixels];
-    alignas(64) float attribute[kAttributes][kStampPixels];
-    alignas(64) float kind[kStampPixels];
-  };
-
-  /// Faces and their corners lie anywhere in memory.
+  /// Faces and their corners lie anywhere in memory: faces are fetched two batches ahead, corners one.
   void fetchAhead(std::size_t i) const {
-    constexpr std::size_t kFaces = 16, kCorners = 6;
-    if (i + kFaces >= tile_.faceCount) return;
-    __builtin_prefetch(tile_.mesh.faces[tile_.faces[i + kFaces] & ~kBoundaryBit]);
-    const std::uint32_t* corners = tile_.mesh.faces[tile_.faces[i + kCorners] & ~kBoundaryBit];
-    for (int j = 0; j < 3; ++j) __builtin_prefetch(tile_.mesh.points + corners[j]);
+    for (std::size_t f = i + 2 * kBatch; f < std::min(i + 3 * kBatch, tile_.faceCount); ++f)
+      __builtin_prefetch(tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit]);
+    for (std::size_t f = i + kBatch; f < std::min(i + 2 * kBatch, tile_.faceCount); ++f)
+      for (const std::uint32_t corner : tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit])
+        __builtin_prefetch(tile_.mesh.points + corner);
   }
 
   float* stateOf(int stamp) const {
@@ -220,102 +216,25 @@ class TileDrawer {
   static unsigned groupBits(unsigned stampBits, int group) { return stampBits >> (group * kLanes) & kGroupBits; }
 
   // ------------------------------------------------------------------------------------------ faces
-  /// Pixels of the tile, both ends included.
-  struct Box {
-    int left, top, right, bottom;
-  };
-
-  void drawFace(std::uint32_t listed) {
-    const bool boundary = (listed & kBoundaryBit) != 0;
-    const std::uint32_t face = listed & ~kBoundaryBit;
-    const FaceCorners corners = cornersOf(tile_.mesh, face);
-    Box box;
-    if (!boxInTile(corners, box)) return;
-
-    const int stampX = box.left / kStampSide * kStampSide, stampY = box.top / kStampSide * kStampSide;
-    const double x0 = tile_.left + stampX + 0.5, y0 = tile_.top + stampY + 0.5;
-    Homogeneous h[3];
-    for (int i = 0; i < 3; ++i)
-      h[i] = {corners.p[i]->x - x0 * corners.p[i]->w, corners.p[i]->y - y0 * corners.p[i]->w, corners.p[i]->w};
-    const Linear edge[3] = {edgeOf(h[1], h[2]), edgeOf(h[2], h[0]), edgeOf(h[0], h[1])};  // opposite to corner 0, 1, 2
-    const double determinant = h[0].w * edge[0].atOrigin + h[0].x * edge[0].perX + h[0].y * edge[0].perY;
-    const double extent = kStampSide + std::max(box.right - box.left, box.bottom - box.top);
-    if (isThin(h, edge, determinant, extent)) return drawPixelByPixel(corners, face, boundary, box);
-
-    const bool entersMesh = (determinant < 0) != corners.reversed;
-    Functions functions;
-    setUp(functions, h, edge, determinant > 0 ? 1.0 : -1.0, extent, corners, face, entersMesh);
-    drawStamps(functions, corners, box, boundary ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
+  void drawBatch(const std::uint32_t* faces, int count) {
+    batch_.gather(tile_, faces, count);
+    batch_.findBoxes(tile_);
+    batch_.findEdges(tile_);
+    for (int i = 0; i < count; ++i)
+      if (batch_.way[i] == FaceWay::stamps) takeAttributes(i);
+    batch_.findFunctions();
+    for (int i = 0; i < count; ++i) {
+      if (batch_.way[i] == FaceWay::stamps) drawStamps(i);
+      if (batch_.way[i] == FaceWay::pixelByPixel) drawPixelByPixel(i);
+    }
   }
 
-  bool boxInTile(const FaceCorners& corners, Box& box) const {
-    const RasterPoint &a = *corners.p[0], &b = *corners.p[1], &c = *corners.p[2];
-    const int lastX = kStampSide * tile_.stampsAcross - 1, lastY = kStampSide * tile_.stampsDown - 1;
-    if (!(a.w > 0 && b.w > 0 && c.w > 0)) {
-      box = {0, 0, lastX, lastY};
-      return true;
-    }
-    constexpr double kMargin = 1e-6;  // for the rounding of the divisions
-    const double x0 = tile_.left + 0.5, y0 = tile_.top + 0.5;
-    // From -1 on: of a value below 0, truncation would not give the next larger number.
-    auto first = [](double low) { return static_cast<int>(std::max(low, -1.0) + 2.0) - 1; };
-    auto last = [](double high, int most) { return static_cast<int>(std::min(high, most + 0.5) + 1.0) - 1; };
-    box.left = first(std::min(std::min(a.column, b.column), c.column) - x0 - kMargin);
-    box.top = first(std::min(std::min(a.row, b.row), c.row) - y0 - kMargin);
-    const double right = std::max(std::max(a.column, b.column), c.column) - x0 + kMargin;
-    const double bottom = std::max(std::max(a.row, b.row), c.row) - y0 + kMargin;
-    if (!(right >= 0 && bottom >= 0)) return false;
-    box.right = last(right, lastX);
-    box.bottom = last(bottom, lastY);
-    return box.left <= box.right && box.top <= box.bottom;
-  }
-
-  /// Whether the face is too thin in the picture for float, or not wholly before the eye.
-  static bool isThin(const Homogeneous* h, const Linear* edge, double determinant, double extent) {
-    const double size = std::abs(determinant);
-    bool thin = false;
-    for (int i = 0; i < 3; ++i) {
-      const double run = std::abs(edge[i].perX) + std::abs(edge[i].perY);  // at least the edge's length times w w
-      thin = thin || !(h[i].w > 0) || !(size > kLeastHeight * extent * h[i].w * run);
-    }
-    return thin;
-  }
-
-  void setUp(Functions& f, const Homogeneous* h, const Linear* edge, double sign, double extent,
-             const FaceCorners& corners, std::uint32_t face, bool entersMesh) const {
-    // A sign is sure where the value exceeds its error; edges are scaled so that this is 1.
-    const int ends[3][2] = {{1, 2}, {2, 0}, {0, 1}};
-    Linear sum{0, 0, 0};
-    for (int i = 0; i < 3; ++i) {
-      const double error = kFloatError * extent * (std::abs(edge[i].perX) + std::abs(edge[i].perY)) +
-                           doubleError(h[ends[i][0]], h[ends[i][1]], extent);
-      put(f, i, edge[i], sign / error);
-      sum = {sum.atOrigin + edge[i].atOrigin, sum.perX + edge[i].perX, sum.perY + edge[i].perY};
-    }
-    put(f, Functions::kSum, sum, sign);
-    const double depth[3] = {corners.p[0]->depth, corners.p[1]->depth, corners.p[2]->depth};
-    f.depth0 = putNumerator(f, Functions::kDepth, edge, depth, sign);
+  void takeAttributes(int i) {
     for (int a = 0; a < kAttributes; ++a) {
       double value[3];
-      attributesOf(corners, face, entersMesh, a, value);
-      f.attribute0[a] = putNumerator(f, Functions::kFirstAttribute + a, edge, value, sign);
+      attributesOf(batch_.corners[i], batch_.face[i], batch_.entersMesh[i], a, value);
+      for (int j = 0; j < 3; ++j) batch_.value[1 + a][j][i] = value[j];
     }
-  }
-
-  static void put(Functions& f, int which, const Linear& linear, double scale) {
-    f.atOrigin[which] = static_cast<float>(scale * linear.atOrigin);
-    f.perX[which] = static_cast<float>(scale * linear.perX);
-    f.perY[which] = static_cast<float>(scale * linear.perY);
-  }
-
-  /// Of what has these values at the corners, relative to the first, which is returned.
-  static float putNumerator(Functions& f, int which, const Linear* edge, const double* value, double sign) {
-    const double b = value[1] - value[0], c = value[2] - value[0];
-    put(f, which,
-        {b * edge[1].atOrigin + c * edge[2].atOrigin, b * edge[1].perX + c * edge[2].perX,
-         b * edge[1].perY + c * edge[2].perY},
-        sign);
-    return static_cast<float>(value[0]);
   }
 
   /// Attribute `a` at the three corners.
@@ -333,17 +252,16 @@ class TileDrawer {
   }
 
   // ------------------------------------------------------------------------------------------ by stamps
-  void drawStamps(const Functions& f, const FaceCorners& corners, const Box& box, float kind) {
-    const int firstColumn = box.left / kStampSide, lastColumn = box.right / kStampSide;
-    const int firstRow = box.top / kStampSide, lastRow = box.bottom / kStampSide;
-    alignas(64) static constexpr float kX[kStampPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-    alignas(64) static constexpr float kY[kStampPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+  void drawStamps(int face) {
+    const Batch& f = batch_;
+    const int firstColumn = f.left[face] / kStampSide, lastColumn = f.right[face] / kStampSide;
+    const int firstRow = f.top[face] / kStampSide, lastRow = f.bottom[face] / kStampSide;
     Real edge[3][kGroups];  // at the pixels of the first stamp
     for (int i = 0; i < 3; ++i)
       for (int group = 0; group < kGroups; ++group)
-        edge[i][group] = (Real(f.perX[i]) * Lanes::load(kX + group * kLanes) +
-                          Real(f.perY[i]) * Lanes::load(kY + group * kLanes)) +
-                         Real(f.atOrigin[i]);
+        edge[i][group] = (Real(f.perX[i][face]) * Lanes::load(kLaneX + group * kLanes) +
+                          Real(f.perY[i][face]) * Lanes::load(kLaneY + group * kLanes)) +
+                         Real(f.atOrigin[i][face]);
     for (int row = firstRow; row <= lastRow; ++row) {
       const float y = static_cast<float>((row - firstRow) * kStampSide);
       for (int column = firstColumn; column <= lastColumn; ++column) {
@@ -352,34 +270,37 @@ class TileDrawer {
         if (active == 0) continue;
         const float x = static_cast<float>((column - firstColumn) * kStampSide);
         for (int group = 0; group < kGroups; ++group) {
-          auto value = [&](int i) { return edge[i][group] + Real(f.perX[i] * x + f.perY[i] * y); };
+          auto value = [&](int i) { return edge[i][group] + Real(f.perX[i][face] * x + f.perY[i][face] * y); };
           auto least = [](Real a, Real b) { return Lanes::select(a < b, a, b); };
           const Real inside = least(least(value(0), value(1)), value(2));
           const unsigned bits = groupBits(active, group);
           const unsigned sure = Lanes::bitsOf(inside > Real(1.0f)) & bits;
           const unsigned unsure = Lanes::bitsOf(inside >= Real(-1.0f)) & bits & ~sure;
           if ((sure | unsure) == 0) continue;
-          const unsigned covered = unsure == 0 ? sure : sure | decide(corners, stamp, group, unsure);
+          const unsigned covered = unsure == 0 ? sure : sure | decide(f.corners[face], stamp, group, unsure);
           if (covered != 0)
-            drawGroup(f, Real(x) + Lanes::load(kX + group * kLanes), Real(y) + Lanes::load(kY + group * kLanes), stamp,
-                      group, covered, kind);
+            drawGroup(face, Real(x) + Lanes::load(kLaneX + group * kLanes),
+                      Real(y) + Lanes::load(kLaneY + group * kLanes), stamp, group, covered);
         }
       }
     }
   }
 
   /// (x, y): of the pixels, from the face's first stamp.
-  void drawGroup(const Functions& f, Real x, Real y, int stamp, int group, unsigned covered, float kind) {
-    auto function = [&](int i) { return Real(f.perX[i]) * x + Real(f.perY[i]) * y + Real(f.atOrigin[i]); };
+  void drawGroup(int face, Real x, Real y, int stamp, int group, unsigned covered) {
+    const Batch& f = batch_;
+    auto function = [&](int i) {
+      return Real(f.perX[i][face]) * x + Real(f.perY[i][face]) * y + Real(f.atOrigin[i][face]);
+    };
     tile_.fragments += static_cast<unsigned>(std::popcount(covered));
 
-    const Real perSum = Real(1.0f) / function(Functions::kSum);
+    const Real perSum = Real(1.0f) / function(Batch::kSum);
     const Real scale = Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
     typename A::Fragment fragment;
-    fragment.distance = (Real(f.depth0) + function(Functions::kDepth) * perSum) * scale;
-    fragment.payload.kind = Real(kind);
+    fragment.distance = (Real(f.value0[0][face]) + function(Batch::kNumerator) * perSum) * scale;
+    fragment.payload.kind = Real(f.kind[face]);
     auto attribute = [&](int i) {
-      return clamped(Real(f.attribute0[i]) + function(Functions::kFirstAttribute + i) * perSum);
+      return clamped(Real(f.value0[1 + i][face]) + function(Batch::kNumerator + 1 + i) * perSum);
     };
     if constexpr (kAttributes == 1) {
       fragment.payload.scalar = attribute(0);
@@ -415,9 +336,12 @@ class TileDrawer {
   }
 
   // ------------------------------------------------------------------------------------------ pixel by pixel
-  void drawPixelByPixel(const FaceCorners& corners, std::uint32_t face, bool boundary, const Box& box) {
-    for (int y = box.top; y <= box.bottom; ++y) {
-      int first = box.left, last = box.right;
+  void drawPixelByPixel(int i) {
+    const FaceCorners& corners = batch_.corners[i];
+    const bool boundary = batch_.boundary[i];
+    const std::uint32_t face = batch_.face[i];
+    for (int y = batch_.top[i]; y <= batch_.bottom[i]; ++y) {
+      const int first = batch_.left[i], last = batch_.right[i];
       for (int sense = 1; sense >= -1; sense -= 2) {
         int from = first, to = last;
         if (!spanOf(corners, y, sense, from, to)) continue;
@@ -487,6 +411,7 @@ class TileDrawer {
 
   TileDraw& tile_;
   SegmentQueue& queue_;
+  Batch batch_;
 };
 
 template <class Lanes, int K, int kAttributes, bool kSpeculative>
