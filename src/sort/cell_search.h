@@ -24,6 +24,7 @@ class CellMarks {
   CellMarks(unsigned inFront, unsigned entered, unsigned open)
       : bits_(static_cast<std::uint16_t>(inFront | (entered << 4) | (open << 8))) {}
 
+  bool operator==(const CellMarks&) const = default;
   unsigned inFront() const { return bits_ & 15u; }
   unsigned entered() const { return (bits_ >> 4) & 15u; }
   unsigned open() const { return (bits_ >> 8) & 15u; }
@@ -100,30 +101,39 @@ inline unsigned CellSearch::facesOf(Index cell) const {
 template <class Piece>
 void CellSearch::writeWithAllInFront(Index start, std::size_t cellsOfPiece, const Piece& piece) {
   if (!marks_[start].isFresh()) return;
-  marks_[start].putOnStack();
-  stack_.push_back({start, static_cast<std::uint8_t>(marks_[start].inFront()), 0});
-  while (!stack_.empty()) {
-    Step& step = stack_.back();
-    if (step.left == 0) {
-      const unsigned faces = facesOf(step.cell);
-      marks_[step.cell].write(faces);
+  Index cell = start;  // with its faces that are still to be followed; those behind it wait on the stack
+  marks_[cell].putOnStack();
+  unsigned left = marks_[cell].inFront();
+  stack_.clear();
+  for (;;) {
+    if (left == 0) {
+      const unsigned faces = facesOf(cell);
+      marks_[cell].write(faces);
       faceCount_ += static_cast<std::size_t>(std::popcount(faces));
-      cells_[cellCount_++] = step.cell;
-      stack_.pop_back();
+      cells_[cellCount_++] = cell;
       if (cellCount_ % cellsOfPiece == 0) piece();
+      if (stack_.empty()) return;
+      cell = stack_.back().cell;
+      left = stack_.back().left;
+      stack_.pop_back();
       continue;
     }
-    const auto face = static_cast<unsigned>(std::countr_zero(step.left));
-    step.left = static_cast<std::uint8_t>(step.left & (step.left - 1));
-    step.face = static_cast<std::uint8_t>(face);
-    const Index other = neighbors_[step.cell][face];
+    const auto face = static_cast<unsigned>(std::countr_zero(left));
+    left &= left - 1;
+    const Index other = neighbors_[cell][face];
     CellMarks& marks = marks_[other];
-    if (marks.isFresh()) {
-      marks.putOnStack();
-      stack_.push_back({other, static_cast<std::uint8_t>(marks.inFront()), 0});
-    } else if (marks.isOnStack()) {
+    if (marks.isWritten()) continue;
+    stack_.push_back({cell, static_cast<std::uint8_t>(left), static_cast<std::uint8_t>(face)});
+    if (marks.isOnStack()) {
       cutCycle(other);
+      cell = stack_.back().cell;
+      left = stack_.back().left;
+      stack_.pop_back();
+      continue;
     }
+    marks.putOnStack();
+    cell = other;
+    left = marks.inFront();
   }
 }
 

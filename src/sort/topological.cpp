@@ -27,7 +27,7 @@ constexpr std::size_t kGrain = 8192;
 constexpr std::size_t kCellsOfPiece = 16384;
 
 /// On which side of a face, as oriented by Faces, the eye is.
-enum class Side : std::int8_t { unknown = -2, inside = -1, edgeOn = 0, outside = 1 };
+enum class Side : std::int8_t { inside = -1, edgeOn = 0, outside = 1 };
 
 /// The face's plane at the eye: `height` is six times the volume of face and eye, positive outside.
 struct EyeHeight {
@@ -48,6 +48,28 @@ EyeHeight eyeHeight(const Vec3& a, const Vec3& b, const Vec3& c, const ViewPoint
 Side eyeSide(const EyeHeight& plane) {
   if (plane.height * plane.height <= plane.boundSquared) return Side::edgeOn;
   return plane.height > 0 ? Side::outside : Side::inside;
+}
+
+/// The heights of the eye over the planes of a cell's faces, all at once, positive outside of the cell.
+struct CellHeights {
+  std::array<double, 4> height;
+  double doubt;  ///< what is greater has the sign that eyeSide finds for the face
+};
+
+CellHeights cellHeights(std::span<const Vec3> points, const Tetrahedron& cell, const ViewPoint& view) {
+  const Vec3& origin = points[cell[0]];
+  const Vec3 a = points[cell[1]] - origin, b = points[cell[2]] - origin, c = points[cell[3]] - origin;
+  const Vec3 toEye = view.orthographic ? -view.direction : view.eye - origin;
+  const Vec3 ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);  // into the cell, as it is right-handed
+  const double volume = view.orthographic ? 0 : dot(ab, c);
+  CellHeights result{{0, -dot(bc, toEye), -dot(ca, toEye), -dot(ab, toEye)}, 0};
+  result.height[0] = -(result.height[1] + result.height[2] + result.height[3]) - volume;
+  const auto size = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const double edges = size(a) + size(b) + size(c);
+  // Twice the bound of eyeHeight is at most 16 of these, the rounding of the sums above at most 40.
+  constexpr double kRounding = 128 * std::numeric_limits<double>::epsilon();
+  result.doubt = kRounding * edges * edges * (edges + size(toEye));
+  return result;
 }
 
 /// Grows with the area that the face takes of the picture.
@@ -83,16 +105,16 @@ class TopologicalSorter final : public FaceSorter {
   EyeHeight eyeHeightOf(Index face) const;
   bool findSides();
   bool findStarts();
-  void findMarks();
+  CellMarks marksOf(Index cell) const;
   void search(FacePieces& pieces);
 
   SortInput input_;
   ViewPoint view_;
   std::vector<Neighbors> neighbors_;
   std::vector<BoundaryFace> boundary_;
-  std::vector<Side> sides_;                ///< of the eye, one a face
+  std::vector<CellMarks> sides_;           ///< what the view says of each cell, before the search
   std::vector<Index> starts_;              ///< cells
-  std::vector<CellMarks> marks_;           ///< one a cell
+  std::vector<CellMarks> marks_;           ///< the same, after it
   std::vector<Index> cells_;               ///< in the order of the last view
   std::vector<FacePieces::Piece> pieces_;  ///< of cells_
   CellSearch search_;
@@ -105,7 +127,7 @@ class TopologicalSorter final : public FaceSorter {
 TopologicalSorter::TopologicalSorter(const SortInput& input)
     : input_(input),
       neighbors_(neighborsOf(*input.faces)),
-      sides_(input.faces->size(), Side::unknown),
+      sides_(neighbors_.size()),
       marks_(neighbors_.size()),
       cells_(neighbors_.size()),
       search_(neighbors_) {
@@ -124,7 +146,7 @@ void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
   FacePieces pieces(input_.faces->ofCell, marks_, cells_, order.faces, ready);
   if (sidesChanged || startsChanged || !isSearched_) {
     isSearched_ = false;
-    findMarks();
+    marks_ = sides_;
     search(pieces);
     isSearched_ = true;
   } else {
@@ -155,36 +177,36 @@ EyeHeight TopologicalSorter::eyeHeightOf(Index face) const {
   return eyeHeight(input_.points[a], input_.points[b], input_.points[c], view_);
 }
 
-/// Whether any face has another side than in the last view.
+/// Which faces rays enter each cell through. Whether any of that is other than in the last view.
 bool TopologicalSorter::findSides() {
   std::atomic<bool> changed = false;
-  parallelBlocks(0, sides_.size(), kGrain, [&](std::size_t first, std::size_t last) {
+  parallelBlocks(0, neighbors_.size(), kGrain, [&](std::size_t first, std::size_t last) {
     bool mine = false;
-    for (std::size_t f = first; f < last; ++f) {
-      const Side side = eyeSide(eyeHeightOf(static_cast<Index>(f)));
-      mine |= side != sides_[f];
-      sides_[f] = side;
+    for (std::size_t cell = first; cell < last; ++cell) {
+      const CellMarks marks = marksOf(static_cast<Index>(cell));
+      mine |= marks != sides_[cell];
+      sides_[cell] = marks;
     }
     if (mine) changed.store(true, std::memory_order_relaxed);
   });
   return changed;
 }
 
-void TopologicalSorter::findMarks() {
-  parallelFor(0, marks_.size(), kGrain, [&](std::size_t cell) {
-    unsigned inFront = 0, entered = 0, open = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      const Index other = neighbors_[cell][i];
-      const Side side = sides_[input_.faces->ofCell[cell][i]];
-      // The face is turned out of the cell with the lower number.
-      const unsigned isEntered = side == (other > cell ? Side::outside : Side::inside) ? 1u : 0u;
-      const unsigned isInner = other != kNoIndex ? 1u : 0u;
-      inFront |= (isEntered & isInner) << i;
-      entered |= (isEntered & ~isInner & 1u) << i;
-      open |= (side == Side::edgeOn ? isInner : 0u) << i;
-    }
-    marks_[cell] = CellMarks(inFront, entered, open);
-  });
+CellMarks TopologicalSorter::marksOf(Index cell) const {
+  const CellHeights plane = cellHeights(input_.points, input_.tetrahedra[cell], view_);
+  unsigned entered = 0, edgeOn = 0, inner = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const Index other = neighbors_[cell][i];
+    inner |= (other != kNoIndex ? 1u : 0u) << i;
+    entered |= (plane.height[i] > 0 ? 1u : 0u) << i;
+    if (std::abs(plane.height[i]) > plane.doubt) continue;
+    const Side side = eyeSide(eyeHeightOf(input_.faces->ofCell[cell][i]));
+    // The face is turned out of the cell with the lower number.
+    const bool isEntered = side == (other > cell ? Side::outside : Side::inside);
+    entered = (entered & ~(1u << i)) | ((isEntered ? 1u : 0u) << i);
+    edgeOn |= (side == Side::edgeOn ? 1u : 0u) << i;
+  }
+  return {entered & inner, entered & ~inner, edgeOn & inner};
 }
 
 /// The cells with a boundary face that rays leave through, near ones first. "Near" is measured midway between the
@@ -193,9 +215,11 @@ void TopologicalSorter::findMarks() {
 /// does (the farthest vertex: eight times as many). Whether they are others than in the last view.
 bool TopologicalSorter::findStarts() {
   const DistanceKey key(view_);
+  constexpr std::uint32_t kNoStart = 0;  // of no number
   startKeys_.resize(boundary_.size());
   parallelFor(0, boundary_.size(), kGrain, [&](std::size_t i) {
-    if (sides_[boundary_[i].face] != Side::inside) return;
+    startKeys_[i] = kNoStart;
+    if (eyeSide(eyeHeightOf(boundary_[i].face)) != Side::inside) return;
     const auto& [a, b, c] = input_.faces->vertices[boundary_[i].face];
     const double farthest = std::max({key(input_.points[a]), key(input_.points[b]), key(input_.points[c])});
     const double middle = key((input_.points[a] + input_.points[b] + input_.points[c]) / 3.0);
@@ -203,7 +227,7 @@ bool TopologicalSorter::findStarts() {
   });
   leftFaces_.clear();
   for (std::size_t i = 0; i < boundary_.size(); ++i)
-    if (sides_[boundary_[i].face] == Side::inside) leftFaces_.push_back({startKeys_[i], boundary_[i].cell});
+    if (startKeys_[i] != kNoStart) leftFaces_.push_back({startKeys_[i], boundary_[i].cell});
   std::vector<Index> starts;
   radixSorter_.sort(leftFaces_, starts);
   const bool changed = starts != starts_;
