@@ -1,10 +1,12 @@
 // The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read
 // the colour back; tile by tile where a picture is larger than its targets may be.
 #include <algorithm>
+#include <functional>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/check.h"
 #include "gl/program_cache.h"
+#include "render/changes_k.h"
 #include "render/gl/certificate_counter.h"
 #include "render/gl/drawing_steps.h"
 #include "render/gl/kbuffer_targets.h"
@@ -31,14 +33,14 @@ namespace {
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
 constexpr float kMostOpacity = 0.99999994f;
 
-class KBufferRenderer final : public Renderer {
+class KBufferRenderer final : public Renderer, public ChangesK {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
-        insert_(programs_.get("faces.vert", "kbuffer.frag", kbufferShaderOptions(plan))),
-        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan))) {
+        insert_(insertProgram()),
+        flush_(flushProgram()) {
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
@@ -69,7 +71,19 @@ class KBufferRenderer final : public Renderer {
     return drawing;
   }
 
+  void changeK(const RenderPlan& plan) override {
+    plan_ = plan;
+    insert_ = insertProgram();
+    flush_ = flushProgram();
+    targets_.reset();
+  }
+
  private:
+  const Program& insertProgram() { return programs_.get("faces.vert", "kbuffer.frag", kbufferShaderOptions(plan_)); }
+  const Program& flushProgram() {
+    return programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan_));
+  }
+
   void makeTargets(int width, int height) {
     if (targets_ && targets_->width() == width && targets_->height() == height) return;
     targets_.reset();
@@ -84,7 +98,7 @@ class KBufferRenderer final : public Renderer {
       targets_->begin(tile);
       setUniforms(insert_, view, tile);
       if (counter_) counter_->begin(insert_, tile);
-      mesh_->drawInBatches([&](std::size_t first) { insert_.set("firstFace", static_cast<int>(first)); });
+      mesh_->drawInBatches([&](std::size_t first) { insert_.get().set("firstFace", static_cast<int>(first)); });
       if (counter_) counter_->end();
       glFinish();
     }
@@ -114,8 +128,8 @@ class KBufferRenderer final : public Renderer {
   std::unique_ptr<FaceSorter> sorter_;
   FaceOrder order_;
   ProgramCache programs_;
-  const Program& insert_;
-  const Program& flush_;
+  std::reference_wrapper<const Program> insert_;
+  std::reference_wrapper<const Program> flush_;
   VertexArray emptyArray_{"no vertices"};
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;
