@@ -62,6 +62,7 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
   lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries == Payload::scalar;
 }
 
+SegmentShader::SegmentShader(SegmentShader&& other) noexcept = default;
 SegmentShader::~SegmentShader() = default;
 
 void SegmentShader::shade(SegmentQueue& queue) const { data_->kernel(data_->lookup, queue); }
