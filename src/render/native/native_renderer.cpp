@@ -18,7 +18,7 @@
 namespace havs {
 namespace {
 
-constexpr int kTileSide = 64;
+constexpr int kTileSide = 64;  // at most kLargestTileStamps stamps
 /// (Tile, face) pairs that are kept at once, 4 bytes each: many more than faces only where faces cover many tiles.
 constexpr std::size_t kMostPairs = std::size_t{1} << 25;
 /// Largest k of the kernels that flag pixels instead of dropping fragments: most orders need no more.

@@ -14,6 +14,7 @@ namespace havs {
 inline constexpr int kStampSide = 4;
 inline constexpr int kStampPixels = kStampSide * kStampSide;
 inline constexpr int kLargestK = 14;
+inline constexpr int kLargestTileStamps = 64;  ///< across a tile
 
 /// A point of the mesh in the picture: a cache line.
 struct alignas(64) RasterPoint : ScreenPoint {
