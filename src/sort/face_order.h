@@ -29,6 +29,12 @@ class FaceSorter {
   virtual ~FaceSorter() = default;
   /// Writes all faces, near first, into `order` (its memory is used again). Deterministic for any number of threads.
   virtual void sort(const ViewPoint& view, FaceOrder& order) = 0;
+  /// To be called where the order for `view` has turned out wrong somewhere: writes a better one and goes on like that,
+  /// or returns false where none is known.
+  virtual bool refine(const ViewPoint& view, FaceOrder& order) {
+    static_cast<void>(view), static_cast<void>(order);
+    return false;
+  }
 };
 
 /// What a sorter works on; all must outlive it. Points in the local frame, cells right-handed (repairMesh).
@@ -43,6 +49,7 @@ struct SortMethod {
   std::string name;
   std::string description;
   std::unique_ptr<FaceSorter> (*make)(const SortInput&);
+  bool usesNeighbours = false;  ///< follows the cells from one to the next, so that a mesh with gaps is harder
 };
 /// centroid, topological, exact (the comparison sort, the tests' oracle), none (the file's order).
 std::span<const SortMethod> sortMethods();
