@@ -1,11 +1,12 @@
 # For ./demo and ./check, from the repository's root: prepare TARGET... installs missing packages, configures and builds.
-# Where with_tests is yes, it installs the packages below the line "[check]" of packages.txt as well.
+# With sections="check" it installs the packages below the line "[check]" of packages.txt as well.
 
 # The packages of packages.txt that dpkg does not know as installed.
 missing_packages() {
-  local wanted last='/^\[check\]/,$d'
-  [ "${with_tests:-no}" = no ] || last='/^\[check\]/d'
-  wanted=$(sed -e "$last" -e 's/#.*//' packages.txt | xargs)
+  local wanted
+  wanted=$(awk -v sections=" ${sections:-} " '
+    /^\[/ { skip = !index(sections, " " substr($1, 2, length($1) - 2) " "); next }
+    !skip { sub(/#.*/, ""); print }' packages.txt | xargs)
   comm -23 <(tr ' ' '\n' <<<"$wanted" | sort -u) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort -u)
 }

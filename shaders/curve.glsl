@@ -1,16 +1,21 @@
+#pragma once
 // The fetch functions of core/curve.glsl and core/integral_functions.glsl: the packed curve
-// (src/transfer/packed_curve.h) in buffer textures.
-uniform samplerBuffer curvePieces;
-uniform samplerBuffer curveGuide;
-uniform samplerBuffer curveIntegrals;
-uniform float guideCells;
+// (src/transfer/packed_curve.h) as texels.
+UNIFORM(Texels, curvePieces);
+UNIFORM(Texels, curveGuide);
+UNIFORM(Texels, curveIntegrals);
+UNIFORM(Scalar, guideCells);
 
-float pieceNear(float s) { return texelFetch(curveGuide, int(min(s * guideCells, guideCells - 1.0))).r; }
-vec4 piecePlace(float piece) { return texelFetch(curvePieces, 3 * int(piece)); }
-vec4 pieceLow(float piece) { return texelFetch(curvePieces, 3 * int(piece) + 1); }
-vec4 pieceHigh(float piece) { return texelFetch(curvePieces, 3 * int(piece) + 2); }
-vec4 pieceExtinction(float piece) { return texelFetch(curveIntegrals, 3 * int(piece)); }
-vec4 lightHead(float piece) { return texelFetch(curveIntegrals, 3 * int(piece) + 1); }
-vec4 lightTail(float piece) { return texelFetch(curveIntegrals, 3 * int(piece) + 2); }
+Real pieceNear(Real s) {
+  Real cell = s * Real(guideCells);
+  Real last = Real(guideCells - Scalar(1.0));
+  return numberAt(curveGuide, toInt(select(cell < last, cell, last)));
+}
+Rgba piecePlace(Real piece) { return rgbaAt(curvePieces, 3 * toInt(piece)); }
+Rgba pieceLow(Real piece) { return rgbaAt(curvePieces, 3 * toInt(piece) + 1); }
+Rgba pieceHigh(Real piece) { return rgbaAt(curvePieces, 3 * toInt(piece) + 2); }
+Rgba pieceExtinction(Real piece) { return rgbaAt(curveIntegrals, 3 * toInt(piece)); }
+Rgba lightHead(Real piece) { return rgbaAt(curveIntegrals, 3 * toInt(piece) + 1); }
+Rgba lightTail(Real piece) { return rgbaAt(curveIntegrals, 3 * toInt(piece) + 2); }
 
 #include "core/curve.glsl"

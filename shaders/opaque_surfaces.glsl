@@ -1,31 +1,39 @@
+#pragma once
 // Opacity 1 (per unit length) is an opaque surface at the first scalar that reaches it: the segment ends there,
 // whatever the lookup.
+#include "core/limits.glsl"
 #include "core/opaque.glsl"
 #include "curve.glsl"
 
-uniform samplerBuffer opaqueIntervals;  // one texel an interval of the scalar: its two ends
-uniform int opaqueCount;
+UNIFORM(Texels, opaqueIntervals);  // two numbers an interval of the scalar: its ends
+UNIFORM(int, opaqueCount);
 
-// The colour of the surface met at `scalar`: taken a little inside of the interval, clear of a step at its end.
-vec3 surfaceColor(float scalar, vec2 ends) {
-  float inside = min(1e-6, 0.5 * (ends.y - ends.x));
-  return curveAt(clamp(scalar, ends.x + inside, ends.y - inside)).rgb;
+// The colour of the surface met at `scalar`, of the interval from `low` to `high`: taken a little inside, clear of a
+// step at its end.
+Rgba surfaceColor(Real scalar, Real low, Real high) {
+  Real inside = atMost(Real(0.5) * (high - low), Real(1.0e-6));
+  Rgba surface = curveAt(atMost(atLeast(scalar, low + inside), high - inside));
+  surface.a = Real(1.0);
+  return surface;
 }
 
 Rgba lookUpToOpaque(Segment segment) {
-  float nearest = 2.0;
-  vec2 met = vec2(0.0);
+  Real nearest = Real(2.0);
+  Real metLow = Real(0.0);
+  Real metHigh = Real(0.0);
   for (int i = 0; i < opaqueCount; ++i) {
-    vec2 ends = texelFetch(opaqueIntervals, i).rg;
-    float entry = opaqueEntry(ends.x, ends.y, segment.scalarFront, segment.scalarBack);
-    met = entry < nearest ? ends : met;
-    nearest = min(nearest, entry);
+    Real low = Real(scalarAt(opaqueIntervals, 2 * i));
+    Real high = Real(scalarAt(opaqueIntervals, 2 * i + 1));
+    Real entry = opaqueEntry(low, high, segment.scalarFront, segment.scalarBack);
+    metLow = select(entry < nearest, low, metLow);
+    metHigh = select(entry < nearest, high, metHigh);
+    nearest = atMost(nearest, entry);
   }
-  bool hit = nearest <= 1.0;
-  float part = hit ? nearest : 1.0;
-  segment.scalarBack = mix(segment.scalarFront, segment.scalarBack, part);
-  segment.length *= part;
+  Mask hit = nearest <= Real(1.0);
+  Real part = select(hit, nearest, Real(1.0));
+  segment.scalarBack = (Real(1.0) - part) * segment.scalarFront + part * segment.scalarBack;
+  segment.length = segment.length * part;
   Rgba before = lookUp(segment);
-  Rgba surface = Rgba(surfaceColor(segment.scalarBack, met), 1.0);
-  return hit ? compositeUnder(before, surface) : before;
+  Rgba surface = surfaceColor(segment.scalarBack, metLow, metHigh);
+  return selectColor(hit, compositeUnder(before, surface), before);
 }

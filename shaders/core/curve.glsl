@@ -1,3 +1,4 @@
+#pragma once
 // The transfer function as it is: pieces of [0, 1] between its knots, on which colour and extinction are linear, so that
 // neither a knot nor a step is smeared. Knots are pairs of numbers, head and tail, as a float alone would move those
 // that lie close. A guide over equal cells of the scalar says where to begin to look. Each side supplies

@@ -1,3 +1,4 @@
+#pragma once
 // The colour of a segment without any table of colours: cut at the knots of the transfer function (core/curve.glsl), each
 // piece by the exact integral (core/integration.glsl). The usual segment lies within one piece and is thin: it takes
 // one turn of both loops.
@@ -33,7 +34,7 @@ FUNCTION Real tiltOfStep(Real d, Real b) {
 FUNCTION SegmentWeights weightsOfStep(Real opticalFront, Real opticalBack) {
   Real depth = Real(0.5) * (opticalFront + opticalBack);
   Real lost = expm1Reduced(Real(-0.5) * depth);
-  Real alpha = -lost * (Real(2.0) + lost);
+  Real alpha = (Real(0.0) - lost) * (Real(2.0) + lost);
   Real tilt = (Real(1.0) + lost) * tiltOfStep(depth, Real(0.5) * (opticalBack - opticalFront));
   SegmentWeights w;
   w.front = Real(0.5) * (alpha - tilt);

@@ -1,3 +1,4 @@
+#pragma once
 // exp and exp - 1 to the last bits, the same in every language: a GPU's own exp may be off by 3e-7, and 1 - exp(-x) of
 // it loses every digit of a thin layer. exp(x) = 2^n exp(r) with |r| <= ln(2) / 2 (Cody and Waite 1980), exp(r) by its
 // Taylor series.

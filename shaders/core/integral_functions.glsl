@@ -1,3 +1,4 @@
+#pragma once
 // Means of extinction and of light (colour times extinction) between two scalars by the integral functions of the
 // transfer function, K(s) and G(s), kept at the knots. A difference of two running sums would lose the digits of a short
 // segment; so what a segment has of its first and last piece is integrated there, and only what lies between, whole
@@ -87,5 +88,5 @@ TABLE_FUNCTION Rgba integralSegment(TABLES Real scalarFront, Real scalarBack, Re
   Rgba light = meanLight(WITH_TABLES coverageOf(WITH_TABLES scalarFront, scalarBack));
   Real one = Real(1.0);  // without attenuation light has no bound of its own
   return Rgba(atMost(length * light.r, one), atMost(length * light.g, one), atMost(length * light.b, one),
-              -expm1OfNegative(-length * light.a));
+              Real(0.0) - expm1OfNegative(Real(0.0) - length * light.a));
 }

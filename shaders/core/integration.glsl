@@ -1,3 +1,4 @@
+#pragma once
 // The volume rendering integral over a piece of a ray on which colour and extinction are linear (docs/02-method.md,
 // Integration). With x(s) the optical depth from the front to the fraction s of the way, the front's colour and the
 // back's arrive with the weights
@@ -5,6 +6,7 @@
 //   back = integral 0..1 of s x'(s) exp(-x(s)) ds = Psi - zeta.
 // Every term is positive, so a fixed Gauss-Legendre rule gives both to the last digits, where 1 - Psi of the closed
 // forms with erf cancels. Of a deep piece only the part that light leaves is integrated.
+#include "core/limits.glsl"
 
 struct SegmentWeights {
   Real front;
@@ -55,8 +57,6 @@ CONSTANT Scalar kNodeWeight[41] = {
 CONSTANT Scalar kDeepest = Scalar(kDouble ? 37.0 : 20.0);  // what lies behind more optical depth is below the rounding
 CONSTANT Scalar kDepthLimit = Scalar(1.0e15);              // its square is finite; more extinction changes nothing
 
-FUNCTION Real atMost(Real value, Real limit) { return select(value < limit, value, limit); }
-
 // Fraction of the way, at most 1, at which the optical depth reaches `deepest`: the root in a form that does not cancel.
 FUNCTION Real reachOfDepth(Real opticalFront, Real opticalBack, Real deepest) {
   Real depth = Real(0.5) * (opticalFront + opticalBack);
@@ -78,7 +78,7 @@ FUNCTION SegmentWeights weightsByRule(Real opticalFront, Real opticalBack, int f
     Real s = reach * Real(kNode[i]);
     Real slope = atFront * (Real(1.0) - s) + atBack * s;
     Real depth = Real(0.5) * s * (atFront + slope);
-    Real light = Real(kNodeWeight[i]) * slope * expOfNegative(-depth);
+    Real light = Real(kNodeWeight[i]) * slope * expOfNegative(Real(0.0) - depth);
     front = front + (Real(1.0) - s) * light;
     back = back + s * light;
   }
@@ -107,7 +107,7 @@ FUNCTION Rgba linearPiece(Rgba front, Rgba back, Real length) {
 
 // `color`, not premultiplied, seen with the opacity of an optical depth.
 FUNCTION Rgba layerOfDepth(Rgba color, Real depth) {
-  Real alpha = -expm1OfNegative(-depth);
+  Real alpha = Real(0.0) - expm1OfNegative(Real(0.0) - depth);
   return Rgba(color.r * alpha, color.g * alpha, color.b * alpha, alpha);
 }
 
@@ -115,7 +115,7 @@ FUNCTION Rgba layerOfDepth(Rgba color, Real depth) {
 // in proportion to their extinction. `front` and `back` are (r, g, b, kappa).
 FUNCTION Rgba trapezoidSegment(Rgba front, Rgba back, Real length) {
   Real sum = front.a + back.a;
-  Real alpha = -expm1OfNegative(Real(-0.5) * length * sum);
+  Real alpha = Real(0.0) - expm1OfNegative(Real(-0.5) * length * sum);
   Real share = alpha / select(sum > Real(0.0), sum, Real(1.0));
   return Rgba(share * (front.r * front.a + back.r * back.a), share * (front.g * front.a + back.g * back.a),
               share * (front.b * front.a + back.b * back.a), alpha);

@@ -1,3 +1,4 @@
+#pragma once
 // The k-buffer (Callahan, Ikits, Comba, Silva 2005): a pixel keeps the HAVS_K nearest fragments that have come and not
 // yet left. A new fragment goes in, the nearest of the HAVS_K + 1 goes out; with the next nearest it bounds a segment
 // of the ray. Entries stay sorted by distance, near first, so that one chain of HAVS_K compare-exchanges finds both.
@@ -8,6 +9,8 @@
 //   Payload makePayload(Real scalar, Real kind)   scalar in [0, 1]; kind +1: the ray enters the mesh, -1: it leaves,
 //                                                 0: a face between two cells
 //   Real scalarOf(Payload)   Real kindOf(Payload)   Payload selectPayload(Mask condition, Payload yes, Payload no)
+
+#include "core/segment.glsl"
 
 struct Fragment {
   Real distance;  // along the ray, local units, relative to the plane through the mesh's centre
@@ -23,16 +26,6 @@ struct KBuffer {
 struct PixelState {
   Real inside;
   Real started;
-};
-
-// A stretch of the ray between two successive fragments; drawn where `visible` holds.
-struct Segment {
-  Payload front;  // what its ends carry; their scalars, where they carry one, are
-  Payload back;
-  Real scalarFront;
-  Real scalarBack;
-  Real length;
-  Mask visible;
 };
 
 CONSTANT Scalar kEmptyDistance = Scalar(-3.0e38);

@@ -1,3 +1,4 @@
+#pragma once
 // Where a segment first meets a closed interval [low, high] of the scalar, as a fraction of its way; 2 where it does
 // not.
 FUNCTION Real opaqueEntry(Real low, Real high, Real scalarFront, Real scalarBack) {

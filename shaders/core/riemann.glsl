@@ -1,3 +1,4 @@
+#pragma once
 // Riemann sums over a segment: the transfer function at the middles of equal steps (core/curve.glsl), each step of one
 // colour and extinction.
 

@@ -4,12 +4,13 @@
 #include "core/exponential.glsl"
 #include "core/integration.glsl"
 #include "core/integral_functions.glsl"
-#include "lookup/filter.glsl"
-uniform sampler3D table3d;
-uniform float lengthScale;  // 1 / the length of the table's last entry
+#include "filter.glsl"
+UNIFORM(Table3d, table3d);
+UNIFORM(Scalar, lengthScale);  // 1 / the length of the table's last entry
 
 Rgba lookUp(Segment segment) {
-  vec3 place = vec3(segment.scalarFront, segment.scalarBack, min(segment.length * lengthScale, 1.0));
-  float extinction = meanExtinction(coverageOf(segment.scalarFront, segment.scalarBack));
-  return layerOfDepth(fetchTable(table3d, place), extinction * segment.length);
+  Real length = atMost(segment.length * Real(lengthScale), Real(1.0));
+  Real extinction = meanExtinction(coverageOf(segment.scalarFront, segment.scalarBack));
+  return layerOfDepth(fetchTable(table3d, segment.scalarFront, segment.scalarBack, length),
+                      extinction * segment.length);
 }

@@ -3,12 +3,12 @@
 #include "core/exponential.glsl"
 #include "core/integration.glsl"
 
-uniform float mostExtinction;  // per local unit; what fragments carry is a fraction of it
+UNIFORM(Scalar, mostExtinction);  // per local unit; what fragments carry is a fraction of it
 
 Rgba lookUp(Segment segment) {
   Rgba front = colorOf(segment.front);
   Rgba back = colorOf(segment.back);
-  front.a *= mostExtinction;
-  back.a *= mostExtinction;
+  front.a = front.a * Real(mostExtinction);
+  back.a = back.a * Real(mostExtinction);
   return linearPiece(front, back, segment.length);
 }

@@ -5,5 +5,5 @@
 #include "core/riemann.glsl"
 
 Rgba lookUp(Segment segment) {
-  return riemannLinearSegment(segment.scalarFront, segment.scalarBack, segment.length, HAVS_LOOKUP_NUMBER);
+  return riemannLinearSegment(segment.scalarFront, segment.scalarBack, segment.length, lookupNumber);
 }

@@ -8,6 +8,7 @@
 #include "render/k_search.h"
 #include "render/lookups.h"
 #include "render/order_advice.h"
+#include "render/plan.h"
 
 namespace havs {
 namespace {
@@ -47,7 +48,8 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["k_auto"] = wantsKSearch(scene);
   json["sort"] = method.needsOrder ? Json(scene.sort) : Json();
   json["lookup"] = scene.lookup;
-  json["table"] = scene.tableSize;
+  const int tableSize = tableSizeOf(scene);
+  json["table"] = tableSize > 0 ? Json(tableSize) : Json();
   json["table_format"] = scene.tableFormat;
   json["target_format"] = scene.targetFormat;
   json["early_termination"] = scene.earlyTermination;
@@ -124,7 +126,7 @@ std::string describeTransfer(const RenderReport& report) {
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
   const LookupResource* made = tableOf(lookup(scene.lookup));
-  const std::string table = made ? fmt::format(" ({}^{}, {})", scene.tableSize, made->axes, scene.tableFormat) : "";
+  const std::string table = made ? fmt::format(" ({}^{}, {})", tableSizeOf(scene), made->axes, scene.tableFormat) : "";
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   const std::string k =
       method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";

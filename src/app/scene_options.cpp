@@ -9,8 +9,9 @@
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
-#include "gl/device.h"
+#include "render/devices.h"
 #include "render/lookups.h"
+#include "render/native/instruction_sets.h"
 #include "render/plan.h"
 #include "render/visibility.h"
 #include "sort/face_order.h"
@@ -60,6 +61,15 @@ void addPictureOptions(CLI::App& command, SceneOptions& options) {
       "white (default), black, none, '#rrggbb' or r,g,b from 0 to 1");
 }
 
+/// "3d 128, 2d 512"
+std::string ownTableSizes() {
+  std::string text;
+  for (const Lookup& row : lookups())
+    if (const LookupResource* table = tableOf(row))
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", row.name, table->ownSize);
+  return text;
+}
+
 void addMethodOptions(CLI::App& command, SceneOptions& options) {
   constexpr const char* kGroup = "Method";
   const Scene defaults;
@@ -67,7 +77,10 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
                       const auto& rows) {
     add(command, kGroup, name, value, "NAME", fmt::format("{} (default {}):{}", what, chosen, rowsForHelp(rows)));
   };
-  addTable("--device", options.device, "Where to draw", defaults.device, deviceRows());
+  addTable("--device", options.device, "Where to draw", defaults.device, renderDevices());
+  add(command, kGroup, "--simd", options.instructionSet, "NAME",
+      fmt::format("Instruction set of the native device (default: the widest of the processor):{}",
+                  rowsForHelp(instructionSets())));
   addTable("--visibility", options.visibility, "How a pixel's fragments are ordered", defaults.visibility,
            visibilityMethods());
   add(command, kGroup, "--k", options.k, "N|auto",
@@ -76,7 +89,8 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
   addTable("--lookup", options.lookup, "How a segment's colour is found", defaults.lookup, lookups());
   add(command, kGroup, "--table", options.tableSize, "N",
-      fmt::format("Entries along each axis of the table (default {})", defaults.tableSize));
+      "Size of the table: entries along each axis, unless the lookup says otherwise (default: " + ownTableSizes() +
+          ")");
   addTable("--table-format", options.tableFormat, "Numbers of the table", defaults.tableFormat, tableFormats());
   addTable("--target-format", options.targetFormat, "Numbers of the k-buffer's targets", defaults.targetFormat,
            targetFormats());
@@ -147,7 +161,9 @@ void setMethod(Scene& scene, const SceneOptions& options) {
   if (options.visibility) scene.visibility = *options.visibility;
   if (options.sort) scene.sort = known("--sort", *options.sort, namesOf(sortMethods()));
   if (options.lookup) scene.lookup = *options.lookup;
-  if (options.device) scene.device = known("--device", *options.device, namesOf(deviceRows()));
+  if (options.device) scene.device = known("--device", *options.device, namesOf(renderDevices()));
+  if (options.instructionSet)
+    scene.instructionSet = known("--simd", *options.instructionSet, namesOf(instructionSets()));
   if (options.tableFormat) scene.tableFormat = *options.tableFormat;
   if (options.targetFormat) scene.targetFormat = *options.targetFormat;
   if (options.k) setK(scene, *options.k);

@@ -11,7 +11,7 @@ namespace havs {
 struct SceneOptions {
   std::string mesh, plot3dSolution;
   std::optional<std::string> tetgenSwitches, field, transferFunction, domain, size, camera, background;
-  std::optional<std::string> device, visibility, k, sort, lookup, tableFormat, targetFormat;
+  std::optional<std::string> device, instructionSet, visibility, k, sort, lookup, tableFormat, targetFormat;
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
   std::optional<int> tableSize, threads, repeat;

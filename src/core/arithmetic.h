@@ -47,7 +47,36 @@ struct DoubleLane {
 #define WITH_TABLES tables,
 #define TABLE(fetch) tables.fetch
 
-template <class Lane, int K = 1>
+/// What a fragment carries besides its distance (core/kbuffer.glsl): a scalar and its kind.
+template <class Lane>
+struct ScalarPayload {
+  using Real = typename Lane::Real;
+  using Mask = typename Lane::Mask;
+  Real scalar, kind;
+  static ScalarPayload make(Real scalar, Real kind) { return {scalar, kind}; }
+  static Real scalarOf(const ScalarPayload& p) { return p.scalar; }
+  static ScalarPayload select(Mask condition, const ScalarPayload& yes, const ScalarPayload& no) {
+    return {Lane::select(condition, yes.scalar, no.scalar), Lane::select(condition, yes.kind, no.kind)};
+  }
+};
+
+/// Colour and extinction, as a fraction of the largest, in place of the scalar, which reads as 0.
+template <class Lane>
+struct ColorPayload {
+  using Real = typename Lane::Real;
+  using Mask = typename Lane::Mask;
+  Real color[4], kind;
+  static ColorPayload make(Real, Real kind) { return {{Real(0), Real(0), Real(0), Real(0)}, kind}; }
+  static Real scalarOf(const ColorPayload&) { return Real(0); }
+  static ColorPayload select(Mask condition, const ColorPayload& yes, const ColorPayload& no) {
+    ColorPayload p;
+    for (int i = 0; i < 4; ++i) p.color[i] = Lane::select(condition, yes.color[i], no.color[i]);
+    p.kind = Lane::select(condition, yes.kind, no.kind);
+    return p;
+  }
+};
+
+template <class Lane, int K = 1, template <class> class PayloadOf = ScalarPayload>
 struct Arithmetic {
   using Real = typename Lane::Real;
   using Mask = typename Lane::Mask;
@@ -60,15 +89,11 @@ struct Arithmetic {
     Rgba(Real r_, Real g_, Real b_, Real a_) : r(r_), g(g_), b(b_), a(a_) {}
   };
   static Real select(Mask condition, Real yes, Real no) { return Lane::select(condition, yes, no); }
-  struct Payload {
-    Real scalar, kind;
-  };
-  static Payload makePayload(Real scalar, Real kind) { return {scalar, kind}; }
-  static Real scalarOf(Payload payload) { return payload.scalar; }
+  using Payload = PayloadOf<Lane>;
+  static Payload makePayload(Real scalar, Real kind) { return Payload::make(scalar, kind); }
+  static Real scalarOf(Payload payload) { return Payload::scalarOf(payload); }
   static Real kindOf(Payload payload) { return payload.kind; }
-  static Payload selectPayload(Mask condition, Payload yes, Payload no) {
-    return {select(condition, yes.scalar, no.scalar), select(condition, yes.kind, no.kind)};
-  }
+  static Payload selectPayload(Mask condition, Payload yes, Payload no) { return Payload::select(condition, yes, no); }
   static Real exp2Integral(Real n) { return Lane::exp2Integral(n); }
   static Real roundToIntegral(Real x) { return Lane::roundToIntegral(x); }
   static Real squareRoot(Real x) { return Lane::squareRoot(x); }
@@ -79,6 +104,7 @@ struct Arithmetic {
 #include "core/curve.glsl"
 #include "core/exponential.glsl"
 #include "core/kbuffer.glsl"
+#include "core/limits.glsl"
 #include "core/opaque.glsl"
 // what uses the types of the above
 #include "core/integration.glsl"

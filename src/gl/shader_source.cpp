@@ -54,6 +54,7 @@ class Expansion {
     std::smatch match;
     std::string line;
     for (int i = 1; std::getline(lines, line); ++i) {
+      if (line == "#pragma once") line.clear();  // for C++; here every file is included once
       if (line.find("include") == std::string::npos || !std::regex_match(line, match, kInclude)) {
         source_.text += line + "\n";
         continue;

@@ -43,8 +43,9 @@ Tally tally(std::size_t n, const Property& has) {
 
 std::vector<char> usedPoints(const TetMesh& mesh) {
   std::vector<char> used(mesh.points.size(), 0);
-  for (const Tetrahedron& t : mesh.tetrahedra)
-    for (const Index point : t) used[point] = 1;
+  parallelFor(0, mesh.tetrahedra.size(), kGrain, [&](std::size_t i) {
+    for (const Index point : mesh.tetrahedra[i]) std::atomic_ref(used[point]).store(1, std::memory_order_relaxed);
+  });
   return used;
 }
 
@@ -73,27 +74,60 @@ std::string describe(const Defect& defect) {
   return fmt::format("{}: {}, the first number {}; {}", defect.name, defect.count, defect.first, defect.repair);
 }
 
-std::vector<Defect> inspectMesh(const TetMesh& mesh) {
-  const std::vector<CellState> states = cellStates(mesh);
-  const std::size_t cells = mesh.tetrahedra.size();
-  const std::vector<char> duplicate = duplicateCells(mesh);
-  const OverfullFaces overfull = overfullFaces(mesh);
-  const std::vector<char> used = usedPoints(mesh);
+namespace {
 
+/// What inspectMesh looks for, in the order of its rows.
+struct Findings {
+  Tally inverted, flat, duplicate, overfull, unreferenced, nonFinitePoints, nonFiniteScalars;
+};
+
+std::vector<Defect> rowsOf(const Findings& findings) {
   std::vector<Defect> defects;
   const auto add = [&](const char* name, const Tally& found, const char* repair) {
     defects.push_back({name, found.count, found.first, repair});
   };
-  add("inverted_cells", tally(cells, [&](std::size_t i) { return states[i] == CellState::inverted; }), "turned");
-  add("flat_cells", tally(cells, [&](std::size_t i) { return states[i] == CellState::flat; }), "left out");
-  add("duplicate_cells", tally(cells, [&](std::size_t i) { return duplicate[i] != 0; }), "left out, the first stays");
-  add("overfull_faces", {overfull.count, overfull.firstCell},
-      "kept: their cells are joined in pairs in the order of their numbers");
-  add("unreferenced_points", tally(used.size(), [&](std::size_t i) { return !used[i]; }), "left out");
-  add("non_finite_points", tally(mesh.points.size(), [&](std::size_t i) { return !isFinite(mesh.points[i]); }),
-      "left out with the cells that use them");
-  add("non_finite_scalars", nonFiniteScalars(mesh), "kept: the cells they touch are holes when that field is drawn");
+  add("inverted_cells", findings.inverted, "turned");
+  add("flat_cells", findings.flat, "left out");
+  add("duplicate_cells", findings.duplicate, "left out, the first stays");
+  add("overfull_faces", findings.overfull, "kept: their cells are joined in pairs in the order of their numbers");
+  add("unreferenced_points", findings.unreferenced, "left out");
+  add("non_finite_points", findings.nonFinitePoints, "left out with the cells that use them");
+  add("non_finite_scalars", findings.nonFiniteScalars, "kept: the cells they touch are holes when that field is drawn");
   return defects;
+}
+
+}  // namespace
+
+std::vector<Defect> inspectMesh(const TetMesh& mesh) {
+  const std::vector<CellState> states = cellStates(mesh);
+  const std::size_t cells = mesh.tetrahedra.size();
+  Findings found;
+  found.inverted = tally(cells, [&](std::size_t i) { return states[i] == CellState::inverted; });
+  found.flat = tally(cells, [&](std::size_t i) { return states[i] == CellState::flat; });
+  if (!sharesOnlyPlainFaces(mesh)) {
+    const std::vector<char> duplicate = duplicateCells(mesh);
+    found.duplicate = tally(cells, [&](std::size_t i) { return duplicate[i] != 0; });
+    const OverfullFaces overfull = overfullFaces(mesh);
+    found.overfull = {overfull.count, overfull.firstCell};
+  }
+  const std::vector<char> used = usedPoints(mesh);
+  found.unreferenced = tally(used.size(), [&](std::size_t i) { return !used[i]; });
+  found.nonFinitePoints = tally(mesh.points.size(), [&](std::size_t i) { return !isFinite(mesh.points[i]); });
+  found.nonFiniteScalars = nonFiniteScalars(mesh);
+  return rowsOf(found);
+}
+
+std::vector<Defect> inspectFields(const TetMesh& mesh) {
+  Findings found;
+  found.nonFiniteScalars = nonFiniteScalars(mesh);
+  return rowsOf(found);
+}
+
+bool isSound(const TetMesh& mesh) {
+  const std::vector<CellState> states = cellStates(mesh);
+  if (tally(states.size(), [&](std::size_t i) { return states[i] != CellState::sound; }).count > 0) return false;
+  const std::vector<char> used = usedPoints(mesh);  // and finite, as their cells are sound
+  return tally(used.size(), [&](std::size_t i) { return !used[i]; }).count == 0;
 }
 
 namespace {
@@ -130,8 +164,8 @@ void note(TetMesh& mesh, std::size_t count, const char* what) {
 
 TetMesh repairMesh(TetMesh mesh) {
   const std::vector<CellState> states = cellStates(mesh);
-  const std::vector<char> duplicate = duplicateCells(mesh);
   const std::size_t cells = mesh.tetrahedra.size();
+  const std::vector<char> duplicate = sharesOnlyPlainFaces(mesh) ? std::vector<char>(cells, 0) : duplicateCells(mesh);
   const auto count = [&](CellState state) {
     return tally(cells,
                  [&](std::size_t i) { return states[i] == state && (state == CellState::notFinite || !duplicate[i]); })

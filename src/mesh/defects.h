@@ -25,6 +25,14 @@ std::string describe(const Defect& defect);
 /// flat: |volume| <= 1e-15 times the cube of the cell's longest edge; overfull face: a face of more than two cells.
 std::vector<Defect> inspectMesh(const TetMesh& mesh);
 
+/// Whether all cells are right-handed and not flat, and all points are finite and used: repairMesh could find nothing
+/// but cells of the same points. Linear time, parallel.
+bool isSound(const TetMesh& mesh);
+
+/// inspectMesh of a mesh that is sound and whose faces are `plain` (mesh/faces.h): of such only the fields are looked
+/// at.
+std::vector<Defect> inspectFields(const TetMesh& mesh);
+
 /// Turns inverted cells, leaves out flat and duplicate cells (the first stays), cells with a non-finite point, and
 /// points that no cell uses.
 /// Non-finite scalars stay (cells that touch them are holes when drawn, see withoutHoles). Returns the mended mesh.

@@ -15,6 +15,8 @@ TetMesh readNodeEle(const std::filesystem::path& file, const ReadOptions& option
 TetMesh readUcd(const std::filesystem::path& file, const ReadOptions& options);
 /// The VTK family, through the module that is opened on demand (vtk/). Only with HAVS_WITH_VTK.
 TetMesh readWithVtk(const std::filesystem::path& file, const ReadOptions& options);
+/// .vtu: the usual ones by all threads (vtu/vtu_reader.h), others as readWithVtk. Only with HAVS_WITH_VTK.
+TetMesh readVtu(const std::filesystem::path& file, const ReadOptions& options);
 /// PLOT3D grid and solution, through the same module (vtk/vtk_formats.cpp). Only with HAVS_WITH_PLOT3D, which comes
 /// with HAVS_WITH_VTK.
 TetMesh readPlot3d(const std::filesystem::path& file, const ReadOptions& options);

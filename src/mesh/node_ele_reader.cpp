@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "mesh/cells.h"
 #include "mesh/formats.h"
+#include "mesh/numbered_rows.h"
 #include "mesh/text_scanner.h"
 
 namespace havs {
@@ -51,18 +52,6 @@ struct Points {
   std::size_t longLines = 0;  // with more than the header says
 };
 
-/// The number at the head of a line; TetGen's files number consecutively, and a gap means a line is lost.
-void checkNumber(const TextScanner& in, std::int64_t number, std::int64_t wanted, const char* what) {
-  if (number != wanted)
-    in.fail(fmt::format("{} number {} stands where {} is expected", what, number, wanted),
-            "number them one after the other, from 0 or from 1");
-}
-
-void report(const Progress& progress, const TextScanner& in, std::size_t line, const char* stage) {
-  constexpr std::size_t kEvery = 65536;
-  if (progress && line % kEvery == 0) progress(stage, in.fraction());
-}
-
 /// Columns that a header announces for each line; `most` guards against nonsense.
 std::size_t columns(TextScanner& in, const char* what) {
   constexpr std::int64_t kMost = 10000;
@@ -70,6 +59,27 @@ std::size_t columns(TextScanner& in, const char* what) {
   if (n < 0 || n > kMost) in.fail(fmt::format("{} is {}", what, n), fmt::format("0 to {} are read", kMost));
   return static_cast<std::size_t>(n);
 }
+
+/// Room for what the rows of a table hold. A header that promises more than the rest of the file can hold gets no
+/// memory for it: such a table is read into one row, until what is missing is found.
+class Rows {
+ public:
+  Rows(const TextScanner& in, std::size_t count, std::size_t columns) {
+    constexpr std::size_t kShortest = 2;  // a digit and a space
+    fits_ = in.holds(count * columns * kShortest);
+    size_ = fits_ ? count : 1;
+  }
+  std::size_t size() const { return size_; }
+  bool oneRow() const { return !fits_; }
+  std::size_t place(std::size_t row) const { return fits_ ? row : 0; }
+  void make(std::vector<Field>& fields) const {
+    for (Field& field : fields) field.values.resize(size_);
+  }
+
+ private:
+  bool fits_;
+  std::size_t size_;
+};
 
 Points readPoints(const fs::path& file, const Progress& progress) {
   TextScanner in(file);
@@ -82,33 +92,32 @@ Points readPoints(const fs::path& file, const Progress& progress) {
   Points points;
   points.hasMarkers = columns(in, "the number of boundary markers") > 0;
 
-  points.positions.reserve(count);
   for (std::size_t a = 0; a < attributes; ++a) points.fields.push_back({fmt::format("attribute{}", a), 1, {}});
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!in.nextLine())
-      in.fail(fmt::format("the file ends after {} of {} points", i, count), "is it cut short, or its header wrong?");
-    const std::int64_t number = in.integer("a point's number");
-    if (i == 0 && number != 0 && number != 1)
-      in.fail(fmt::format("the first point's number is {}", number), "start at 0 or at 1");
-    if (i == 0) points.firstNumber = number;
-    checkNumber(in, number, points.firstNumber + static_cast<std::int64_t>(i), "point");
-    const double x = in.real("x");
-    const double y = in.real("y");
-    points.positions.emplace_back(x, y, in.real("z"));
-    for (Field& field : points.fields) field.values.push_back(in.real("an attribute"));
-    if (points.hasMarkers) in.integer("a boundary marker");
-    points.longLines += in.more() ? 1 : 0;
-    report(progress, in, i, "read points");
-  }
+  const Rows room(in, count, 4 + attributes);
+  points.positions.resize(room.size());
+  room.make(points.fields);
+  const auto read = [&](TextScanner& line, std::size_t index, std::int64_t) {
+    const std::size_t i = room.place(index);
+    Vec3& position = points.positions[i];
+    position.x = line.real("x");
+    position.y = line.real("y");
+    position.z = line.real("z");
+    for (Field& field : points.fields) field.values[i] = line.real("an attribute");
+    if (points.hasMarkers) line.integer("a boundary marker");
+  };
+  const RowsRead rows = readNumberedRows(
+      in, {count, room.oneRow(), "point", "points", "a point's number", "read points", read}, progress);
+  points.firstNumber = rows.firstNumber;
+  points.longLines = rows.longLines;
   return points;
 }
 
 /// TetGen puts the mid nodes on the edges 23, 03, 01, 12, 13, 02; VTK on 01, 12, 02, 03, 13, 23.
-constexpr std::array<std::size_t, 10> kVtkFromTetgen = {0, 1, 2, 3, 6, 7, 9, 5, 8, 4};
+constexpr std::array<std::size_t, 6> kMidNodes = {2, 3, 5, 1, 4, 0};
 
 struct Cells {
-  std::size_t nodes = 4;
-  std::vector<std::int64_t> connectivity;
+  std::vector<Tetrahedron> corners;
+  std::vector<std::array<Index, 6>> midNodes;  // none of linear tetrahedra
   std::vector<Field> fields;
   std::size_t longLines = 0;
 };
@@ -121,6 +130,17 @@ std::vector<Field> attributeFields(std::size_t attributes) {
   return fields;
 }
 
+/// A point's number as the files count, made an index.
+Index pointOf(TextScanner& in, const Points& points, std::int64_t tetrahedron) {
+  const std::int64_t last = points.firstNumber + static_cast<std::int64_t>(points.positions.size()) - 1;
+  const std::int64_t point = in.integer("a point's number");
+  if (point < points.firstNumber || point > last)
+    in.fail(fmt::format("tetrahedron {} has the point number {}, out of range: the points are {} to {}", tetrahedron,
+                        point, points.firstNumber, last),
+            "do the .node and the .ele file belong together?");
+  return static_cast<Index>(point - points.firstNumber);
+}
+
 Cells readCells(const fs::path& file, const Points& points, const Progress& progress) {
   TextScanner in(file);
   in.needLine("the header of the tetrahedra");
@@ -129,34 +149,24 @@ Cells readCells(const fs::path& file, const Points& points, const Progress& prog
   Cells cells;
   const std::int64_t nodes = in.more() ? in.integer("the number of points of a tetrahedron") : 4;
   if (nodes != 4 && nodes != 10) in.fail(fmt::format("tetrahedra have {} points", nodes), "4 and 10 are read");
-  cells.nodes = static_cast<std::size_t>(nodes);
   cells.fields = attributeFields(columns(in, "the number of attributes"));
 
-  const auto pointCount = static_cast<std::int64_t>(points.positions.size());
-  const std::int64_t last = points.firstNumber + pointCount - 1;
-  cells.connectivity.reserve(count * cells.nodes);
-  std::int64_t firstNumber = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!in.nextLine())
-      in.fail(fmt::format("the file ends after {} of {} tetrahedra", i, count),
-              "is it cut short, or its header wrong?");
-    const std::int64_t number = in.integer("a tetrahedron's number");
-    if (i == 0 && number != 0 && number != 1)
-      in.fail(fmt::format("the first tetrahedron's number is {}", number), "start at 0 or at 1");
-    if (i == 0) firstNumber = number;
-    checkNumber(in, number, firstNumber + static_cast<std::int64_t>(i), "tetrahedron");
-    for (std::size_t n = 0; n < cells.nodes; ++n) {
-      const std::int64_t point = in.integer("a point's number");
-      if (point < points.firstNumber || point > last)
-        in.fail(fmt::format("tetrahedron {} has the point number {}, out of range: the points are {} to {}", number,
-                            point, points.firstNumber, last),
-                "do the .node and the .ele file belong together?");
-      cells.connectivity.push_back(point - points.firstNumber);
-    }
-    for (Field& field : cells.fields) field.values.push_back(in.real("an attribute"));
-    cells.longLines += in.more() ? 1 : 0;
-    report(progress, in, i, "read cells");
-  }
+  const Rows room(in, count, 1 + static_cast<std::size_t>(nodes) + cells.fields.size());
+  cells.corners.resize(room.size());
+  if (nodes == 10) cells.midNodes.resize(room.size());
+  room.make(cells.fields);
+  const auto read = [&](TextScanner& line, std::size_t index, std::int64_t number) {
+    const std::size_t i = room.place(index);
+    for (Index& corner : cells.corners[i]) corner = pointOf(line, points, number);
+    if (nodes == 10)
+      for (Index& node : cells.midNodes[i]) node = pointOf(line, points, number);
+    for (Field& field : cells.fields) field.values[i] = line.real("an attribute");
+  };
+  cells.longLines =
+      readNumberedRows(
+          in, {count, room.oneRow(), "tetrahedron", "tetrahedra", "a tetrahedron's number", "read cells", read},
+          progress)
+          .longLines;
   return cells;
 }
 
@@ -165,10 +175,8 @@ TetMesh linearMesh(Points points, Cells cells) {
   mesh.points = std::move(points.positions);
   mesh.pointFields = std::move(points.fields);
   mesh.cellFields = std::move(cells.fields);
-  mesh.sourceCells = cells.connectivity.size() / 4;
-  mesh.tetrahedra.resize(mesh.sourceCells);
-  for (std::size_t i = 0; i < cells.connectivity.size(); ++i)
-    mesh.tetrahedra[i / 4][i % 4] = static_cast<Index>(cells.connectivity[i]);
+  mesh.sourceCells = cells.corners.size();
+  mesh.tetrahedra = std::move(cells.corners);
   return mesh;
 }
 
@@ -178,10 +186,12 @@ TetMesh quadraticMesh(Points points, const Cells& cells, const std::string& wher
   soup.points = std::move(points.positions);
   soup.pointFields = std::move(points.fields);
   soup.cellFields = cells.fields;
-  soup.types.assign(cells.connectivity.size() / 10, kQuadraticTetra);
-  soup.connectivity.resize(cells.connectivity.size());
-  for (std::size_t i = 0; i < soup.connectivity.size(); ++i)
-    soup.connectivity[i] = cells.connectivity[i - i % 10 + kVtkFromTetgen[i % 10]];
+  soup.types.assign(cells.corners.size(), kQuadraticTetra);
+  soup.connectivity.reserve(10 * cells.corners.size());
+  for (std::size_t i = 0; i < cells.corners.size(); ++i) {
+    soup.connectivity.insert(soup.connectivity.end(), cells.corners[i].begin(), cells.corners[i].end());
+    for (const std::size_t node : kMidNodes) soup.connectivity.push_back(cells.midNodes[i][node]);
+  }
   for (std::size_t i = 0; i <= soup.types.size(); ++i) soup.offsets.push_back(static_cast<std::int64_t>(10 * i));
   return cutIntoTetrahedra(std::move(soup), where);
 }
@@ -195,8 +205,8 @@ TetMesh readNodeEle(const fs::path& file, const ReadOptions& options) {
   if (options.progress) options.progress("read cells", 1);
   const bool hasMarkers = points.hasMarkers;
   const std::size_t longLines[2] = {points.longLines, cells.longLines};
-  TetMesh mesh = cells.nodes == 4 ? linearMesh(std::move(points), std::move(cells))
-                                  : quadraticMesh(std::move(points), cells, pair.ele.string());
+  TetMesh mesh = cells.midNodes.empty() ? linearMesh(std::move(points), std::move(cells))
+                                        : quadraticMesh(std::move(points), cells, pair.ele.string());
   if (hasMarkers) mesh.notes.push_back("left out the boundary markers of the points");
   for (int i = 0; i < 2; ++i)
     if (longLines[i] > 0)

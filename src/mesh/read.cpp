@@ -23,9 +23,11 @@ struct Row {
 #ifdef HAVS_WITH_VTK
 constexpr bool kWithVtk = true;
 const auto kReadWithVtk = readWithVtk;
+const auto kReadVtu = readVtu;
 #else
 constexpr bool kWithVtk = false;
 const auto kReadWithVtk = nullptr;
+const auto kReadVtu = nullptr;
 #endif
 #ifdef HAVS_WITH_PLOT3D
 constexpr bool kWithPlot3d = true;
@@ -47,7 +49,7 @@ const std::vector<Row>& allFormats() {
       {{"TetGen mesh", {".node", ".ele"}, "", readNodeEle}, true},
       {{"AVS UCD", {".inp"}, "", readUcd}, true},
       {{"VTK legacy", {".vtk"}, "VTK", kReadWithVtk}, kWithVtk},
-      {{"VTK unstructured grid", {".vtu", ".pvtu"}, "VTK", kReadWithVtk}, kWithVtk},
+      {{"VTK unstructured grid", {".vtu", ".pvtu"}, "VTK", kReadVtu}, kWithVtk},
       {{"VTK structured grids", {".vti", ".vts", ".vtr"}, "VTK", kReadWithVtk}, kWithVtk},
       {{"Exodus", {".ex2", ".exo", ".e"}, "VTK", kReadWithVtk}, kWithVtk},
       {{"EnSight", {".case"}, "VTK", kReadWithVtk}, kWithVtk},

@@ -113,21 +113,41 @@ std::vector<double> valuesOf(const Choice& choice) {
   return values;
 }
 
-void setRange(const TetMesh& mesh, ScalarField& field) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  const auto include = [&](double value) {
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void include(double value) {
     if (!std::isfinite(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
-  };
-  if (field.centering == Centering::cell)
-    for (const double value : field.values) include(value);
-  else
-    for (const Tetrahedron& t : mesh.tetrahedra)
-      for (const Index point : t) include(field.values[point]);
-  if (low > high) failInput(fmt::format("the field '{}' has no finite value", field.name), "", "choose another field");
-  field.minimum = low;
-  field.maximum = high;
+  }
+};
+
+/// Of all that visit(i, range) includes for i in [0, count).
+template <class Visit>
+Range rangeOver(std::size_t count, const Visit& visit) {
+  return parallelReduce(
+      0, count, kGrain, Range{},
+      [&](std::size_t first, std::size_t last) {
+        Range range;
+        for (std::size_t i = first; i < last; ++i) visit(i, range);
+        return range;
+      },
+      [](const Range& a, const Range& b) {
+        return Range{std::min(a.low, b.low), std::max(a.high, b.high)};
+      });
+}
+
+void setRange(const TetMesh& mesh, ScalarField& field) {
+  const Range range = field.centering == Centering::cell
+                          ? rangeOver(field.values.size(), [&](std::size_t i, Range& r) { r.include(field.values[i]); })
+                          : rangeOver(mesh.tetrahedra.size(), [&](std::size_t i, Range& r) {
+                              for (const Index point : mesh.tetrahedra[i]) r.include(field.values[point]);
+                            });
+  if (range.low > range.high)
+    failInput(fmt::format("the field '{}' has no finite value", field.name), "", "choose another field");
+  field.minimum = range.low;
+  field.maximum = range.high;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "core/parallel.h"
+#include "mesh/face_matching.h"
 
 namespace havs {
 namespace {
@@ -62,6 +63,15 @@ Tetrahedron sorted(Tetrahedron t) {
 }
 
 }  // namespace
+
+bool sharesOnlyPlainFaces(const TetMesh& mesh) {
+  std::atomic<bool> distinct = true;
+  parallelFor(0, mesh.tetrahedra.size(), kGrain, [&](std::size_t cell) {
+    const auto& [i, j, k, l] = mesh.tetrahedra[cell];
+    if (i == j || i == k || i == l || j == k || j == l || k == l) distinct.store(false, std::memory_order_relaxed);
+  });
+  return distinct && matchFaces(mesh).plain;
+}
 
 std::vector<char> duplicateCells(const TetMesh& mesh) {
   std::vector<char> duplicate(mesh.tetrahedra.size(), 0);

@@ -5,6 +5,11 @@
 
 namespace havs {
 
+/// Whether every cell names four different points, and no triangle is a face of more than two cells or of two on one
+/// side of it: then there are no duplicate cells and no overfull faces. Linear time, parallel, and quicker than the two
+/// below.
+bool sharesOnlyPlainFaces(const TetMesh& mesh);
+
 /// For each cell 1 when an earlier cell has the same four points, in any order. Linear time, parallel.
 std::vector<char> duplicateCells(const TetMesh& mesh);
 

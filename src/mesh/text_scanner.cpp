@@ -3,56 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
-#include <cstdlib>
-#include <fstream>
-#include <type_traits>
 
 #include "core/error.h"
+#include "mesh/number_text.h"
 
 namespace havs {
 namespace {
 
-bool isSeparator(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\v' || c == '\f'; }
-bool endsWord(char c) { return isSeparator(c) || c == '\n' || c == '#'; }
+enum CharacterKind : std::uint8_t { kPartOfWord, kSeparator, kEndOfLine };
 
-std::string contentsOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
-  if (size < 0) failInput("cannot be read", file.string(), "check that it exists and its permissions");
-  std::string text(static_cast<std::size_t>(size), '\0');
-  stream.seekg(0);
-  stream.read(text.data(), size);
-  if (stream.gcount() != size) failInput("cannot be read to its end", file.string(), "check the disk and permissions");
-  return text;
+constexpr std::array<CharacterKind, 256> kKinds = [] {
+  std::array<CharacterKind, 256> kinds{};
+  for (const char c : std::string_view(" \t,\r\v\f")) kinds[static_cast<unsigned char>(c)] = kSeparator;
+  for (const char c : std::string_view("\n#")) kinds[static_cast<unsigned char>(c)] = kEndOfLine;
+  return kinds;
+}();
+
+bool isSeparator(char c) { return kKinds[static_cast<unsigned char>(c)] == kSeparator; }
+bool endsWord(char c) { return kKinds[static_cast<unsigned char>(c)] != kPartOfWord; }
+/// from_chars for whole numbers of up to 18 digits, which cannot overflow; no stop: it is another kind of word.
+const char* quickNumber(const char* at, const char* end, std::int64_t& value) {
+  constexpr std::ptrdiff_t kMostDigits = 18;
+  const bool negative = at != end && *at == '-';
+  const char* const digits = at + (negative ? 1 : 0);
+  std::int64_t sum = 0;
+  for (at = digits; at != end && *at >= '0' && *at <= '9' && at - digits <= kMostDigits; ++at)
+    sum = 10 * sum + (*at - '0');
+  if (at == digits || at - digits > kMostDigits) return nullptr;
+  value = negative ? -sum : sum;
+  return at;
+}
+
+const char* quickNumber(const char* at, const char* end, double& value) {
+  const auto [stop, error] = std::from_chars(at, end, value);
+  return error == std::errc{} ? stop : nullptr;
 }
 
 /// Enough of a word to show it.
 std::string shown(std::string_view word) { return std::string(word.substr(0, 40)); }
 
-/// from_chars, which knows no plus sign and gives no value for 1e-400 or 1e400.
-template <class Number>
-bool parse(std::string_view word, Number& value) {
-  const std::string_view digits = word.substr(word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (stop != digits.data() + digits.size()) return false;
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (error == std::errc::result_out_of_range) {
-      value = std::strtod(std::string(digits).c_str(), nullptr);
-      return true;
-    }
-  }
-  return error == std::errc{};
-}
-
 }  // namespace
 
 TextScanner::TextScanner(const std::filesystem::path& file)
-    : file_(file.string()), text_(contentsOf(file)), at_(text_.data()), end_(text_.data() + text_.size()) {
-  const std::string_view head = std::string_view(text_).substr(0, 4096);
+    : file_(file.string()), text_(std::make_shared<FileText>(file)) {
+  begin_ = at_ = text_->view().data();
+  end_ = at_ + text_->view().size();
+  const std::string_view head = text_->view().substr(0, 4096);
   if (head.find('\0') != std::string_view::npos || (!head.empty() && head[0] == '\x07'))
     failInput("the file is binary, text is expected", file_, "write it as ASCII");
+}
+
+TextScanner::TextScanner(const TextScanner& whole, std::string_view lines)
+    : file_(whole.file_),
+      text_(whole.text_),
+      begin_(lines.data()),
+      at_(lines.data()),
+      end_(lines.data() + lines.size()) {}
+
+inline void TextScanner::skipSeparators() {
+  while (at_ < end_ && isSeparator(*at_)) ++at_;
 }
 
 bool TextScanner::nextLine() {
@@ -89,17 +101,30 @@ std::string_view TextScanner::word(std::string_view wanted) {
   return {begin, static_cast<std::size_t>(at_ - begin)};
 }
 
+/// A plain number and the end of its word; what is none is left to the words' own way, which knows what to say.
+template <class Number>
+bool TextScanner::quickly(Number& value) {
+  skipSeparators();
+  const char* const stop = quickNumber(at_, end_, value);
+  if (!inLine_ || !stop || (stop != end_ && !endsWord(*stop))) return false;
+  at_ = stop;
+  return true;
+}
+
 double TextScanner::real(std::string_view wanted) {
-  const std::string_view text = word(wanted);
   double value = 0;
-  if (!parse(text, value)) fail(fmt::format("'{}' is no number, {} is expected", shown(text), wanted), "correct it");
+  if (quickly(value)) return value;
+  const std::string_view text = word(wanted);
+  if (!parseNumber(text, value))
+    fail(fmt::format("'{}' is no number, {} is expected", shown(text), wanted), "correct it");
   return value;
 }
 
 std::int64_t TextScanner::integer(std::string_view wanted) {
-  const std::string_view text = word(wanted);
   std::int64_t value = 0;
-  if (parse(text, value)) return value;
+  if (quickly(value)) return value;
+  const std::string_view text = word(wanted);
+  if (parseNumber(text, value)) return value;
   fail(fmt::format("'{}' is no whole number, {} is expected", shown(text), wanted), "correct it");
 }
 
@@ -122,7 +147,7 @@ std::size_t TextScanner::count(std::string_view wanted, std::size_t bytesEach) {
   const std::int64_t value = integer(fmt::format("the number of {}", wanted));
   if (value < 0) fail(fmt::format("the number of {} is {}", wanted, value), "it must not be negative");
   const auto count = static_cast<std::size_t>(value);
-  if (count > text_.size() || !holds(count * bytesEach))
+  if (count > text_->view().size() || !holds(count * bytesEach))
     fail(fmt::format("{} {} are promised, but the rest of the file is too short for them", value, wanted),
          "is the file cut short, or its header wrong?");
   return count;
@@ -133,15 +158,16 @@ bool TextScanner::holds(std::size_t bytes) const {
 }
 
 double TextScanner::fraction() const {
-  return static_cast<double>(at_ - text_.data()) / static_cast<double>(std::max<std::size_t>(text_.size(), 1));
+  return static_cast<double>(at_ - begin_) / static_cast<double>(std::max<std::ptrdiff_t>(end_ - begin_, 1));
+}
+
+std::string_view TextScanner::rest() const {
+  const char* const begin = inLine_ ? std::find(at_, end_, '\n') : at_;
+  return {begin, static_cast<std::size_t>(end_ - begin)};
 }
 
 void TextScanner::fail(const std::string& what, const std::string& tryThis) const { failInput(what, place(), tryThis); }
 
 std::string TextScanner::place() const { return fmt::format("{}:{}", file_, line_ + 1); }
-
-void TextScanner::skipSeparators() {
-  while (at_ < end_ && isSeparator(*at_)) ++at_;
-}
 
 }  // namespace havs

@@ -1,8 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+
+#include "mesh/file_blocks.h"
 
 namespace havs {
 
@@ -13,6 +16,9 @@ class TextScanner {
  public:
   /// Reads the whole file. Throws Error{input} when it cannot be read or is binary.
   explicit TextScanner(const std::filesystem::path& file);
+  /// A scanner of whole lines of a text that another one read: `lines` is part of its rest(). Line numbers in messages
+  /// begin at 1 there.
+  TextScanner(const TextScanner& whole, std::string_view lines);
 
   /// Goes to the next line that holds something; false at the end of the file.
   bool nextLine();
@@ -42,13 +48,18 @@ class TextScanner {
 
   /// How much of the file lies behind, 0 to 1.
   double fraction() const;
+  /// What nextLine() has still to go through: from the end of this line on.
+  std::string_view rest() const;
 
  private:
   void skipSeparators();
   std::string place() const;
+  template <class Number>
+  bool quickly(Number& value);
 
   std::string file_;
-  std::string text_;
+  std::shared_ptr<const FileText> text_;
+  const char* begin_ = nullptr;
   const char* at_ = nullptr;
   const char* end_ = nullptr;
   std::size_t line_ = 0;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/edge_function.h"
+#include "raster/edge_function.h"
 
 namespace havs {
 namespace {

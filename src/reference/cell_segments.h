@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mesh/tet_mesh.h"
-#include "reference/screen_points.h"
+#include "raster/screen_points.h"
 
 namespace havs {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "core/find_row.h"
-#include "render/gl/lookup_resources.h"
+#include "render/lookup_resources.h"
 
 namespace havs {
 namespace {
@@ -43,32 +43,41 @@ float roundedToHalf(float value) {
   return std::bit_cast<float>((bits + 0xFFF + (bits >> 13 & 1)) & ~std::uint32_t{0x1FFF});
 }
 
+/// To the nearest of the numbers 0, 1 / most, ... 1.
+template <int most>
+float roundedToPart(float value) {
+  return static_cast<float>(std::nearbyint(static_cast<double>(value) * most) / most);
+}
+
 }  // namespace
 
 std::string exampleName(const Lookup& row) { return withoutMark(row.name) + (row.parameter.empty() ? "" : ":8"); }
 
 std::span<const LookupResource> lookupResources() {
   static const std::vector<LookupResource> rows{
-      {.name = "curve", .description = "the transfer function, piece by piece", .make = makeCurveTextures},
+      {.name = "curve", .description = "the transfer function, piece by piece", .make = makeCurve},
       {.name = "integrals",
        .description = "integrals of extinction and light up to each knot of the transfer function",
-       .make = makeIntegralTextures},
-      {.name = "opaque intervals", .description = "scalars of opacity 1", .make = makeOpaqueTextures},
+       .make = makeIntegrals},
+      {.name = "opaque intervals", .description = "scalars of opacity 1", .make = makeOpaqueIntervals},
       {.name = "2d table",
        .description = "mean colour and extinction over front and back scalar, at the mean length",
        .axes = 2,
        .largestSize = 2048,
-       .make = makeTable2dTextures},
+       .ownSize = 512,
+       .make = makeTable2d},
       {.name = "3d table",
        .description = "colour and opacity over front scalar, back scalar and length",
        .axes = 3,
        .largestSize = 512,
-       .make = makeTable3dTextures},
+       .ownSize = 128,
+       .make = makeTable3d},
       {.name = "3d mean colours",
        .description = "mean colour over front scalar, back scalar and length, 2N x 2N x N/4 entries",
        .axes = 3,
        .largestSize = 512,
-       .make = makeMeanColorTextures},
+       .ownSize = 64,
+       .make = makeMeanColorTable},
   };
   return rows;
 }
@@ -128,12 +137,14 @@ std::span<const TableFormat> tableFormats() {
       {.name = "rgba16",
        .description = "16 bits a channel, from 0 to 1",
        .bytesPerEntry = 8,
-       .internalFormat = GL_RGBA16},
+       .internalFormat = GL_RGBA16,
+       .rounded = roundedToPart<65535>},
       {.name = "rgba8",
        .description = "8 bits a channel (the paper's), filtered in the shader",
        .bytesPerEntry = 4,
        .internalFormat = GL_RGBA8,
-       .filteredInShader = true},
+       .filteredInShader = true,
+       .rounded = roundedToPart<255>},
   };
   return rows;
 }

@@ -8,7 +8,7 @@
 namespace havs {
 
 struct ResourceInput;
-struct ResourceTextures;
+struct ResourceData;
 
 /// One row of the table of what shaders read besides the segment.
 struct LookupResource {
@@ -16,8 +16,9 @@ struct LookupResource {
   std::string description;
   int axes = 0;         ///< of a table whose size and number format can be chosen; 0: no such table
   int largestSize = 0;  ///< entries along each axis, 2 at the least
-  /// Makes the textures (render/gl/lookup_resources.h). A context must be current.
-  ResourceTextures (*make)(const ResourceInput& input) = nullptr;
+  int ownSize = 0;      ///< of a table for which none is asked
+  /// Makes the tables and numbers (render/lookup_resources.h).
+  ResourceData (*make)(const ResourceInput& input) = nullptr;
 };
 std::span<const LookupResource> lookupResources();
 /// Throws Error{running}: rows name them, users do not.
@@ -56,7 +57,7 @@ struct TableFormat {
   std::size_t bytesPerEntry = 0;
   unsigned internalFormat = 0;  ///< OpenGL's name of it
   bool filteredInShader = false;
-  /// A value as the format holds it, where OpenGL's own conversion cannot be trusted to round; null: it can.
+  /// A value of [0, 1] as the format holds it; null: as it is.
   float (*rounded)(float value) = nullptr;
 };
 std::span<const TableFormat> tableFormats();

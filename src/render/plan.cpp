@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "render/native/instruction_sets.h"
 #include "sort/face_order.h"
 
 namespace havs {
@@ -22,11 +23,11 @@ void addResource(RenderPlan& result, const std::string& name, const Scene& scene
   result.resources.push_back(resource);
   if (resource.axes == 0) return;
   result.tableFormat = tableFormat(scene.tableFormat);
-  result.tableSize = scene.tableSize;
+  result.tableSize = tableSizeOf(scene);
   if (result.tableFormat.filteredInShader) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
   const int most = resource.axes == 3 ? capabilities.maximum3dTextureSize : capabilities.maximumTextureSize;
-  if (scene.tableSize > most)
-    failRunning("a table of " + std::to_string(scene.tableSize) + "^" + std::to_string(resource.axes) +
+  if (result.tableSize > most)
+    failRunning("a table of " + std::to_string(result.tableSize) + "^" + std::to_string(resource.axes) +
                     " is larger than this OpenGL's textures (" + std::to_string(most) + ")",
                 "", "choose a smaller one");
 }
@@ -64,6 +65,19 @@ std::string methodsWith(bool VisibilityMethod::*property) {
   return names;
 }
 
+/// How the method draws on the device.
+const DrawingWay& wayOf(const VisibilityMethod& method, const Capabilities& capabilities) {
+  if (!capabilities.native) return method.gl;
+  if (method.native.make == nullptr) {
+    std::string names;
+    for (const VisibilityMethod& other : visibilityMethods())
+      if (other.native.make != nullptr) names += (names.empty() ? "" : " or ") + other.name;
+    failInput("the native device does not draw with the visibility method " + method.name, "--device native",
+              "draw with --visibility " + names + ", or on another device");
+  }
+  return method.native;
+}
+
 void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method, const Lookup& chosen) {
   if (chosen.carries == Payload::color && !method.carriesColors)
     failInput("fragments of the lookup '" + chosen.name + "' carry colours, which the visibility method " +
@@ -86,6 +100,11 @@ void checkRange(double value, double least, double most, const std::string& name
     };
     failInput(name + " is " + text(value), "", "it must lie between " + text(least) + " and " + text(most));
   }
+}
+
+int tableSizeOf(const Scene& scene) {
+  const LookupResource* table = tableOf(lookup(scene.lookup));
+  return table == nullptr ? 0 : scene.tableSize.value_or(table->ownSize);
 }
 
 int entriesPerTarget(const Lookup& lookup) { return lookup.carries == Payload::color ? 1 : 2; }
@@ -115,7 +134,7 @@ void checkScene(const Scene& scene) {
   targetFormat(scene.targetFormat);
   if (const LookupResource* table = tableOf(row)) {
     tableFormat(scene.tableFormat);
-    checkRange(scene.tableSize, kSmallestTable, table->largestSize, "the table's size");
+    checkRange(tableSizeOf(scene), kSmallestTable, table->largestSize, "the table's size");
   }
   checkRange(scene.width, 1, kLargestSide, "the picture's width");
   checkRange(scene.height, 1, kLargestSide, "the picture's height");
@@ -135,14 +154,21 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
   checkScene(scene);
   RenderPlan result;
   result.visibility = visibilityMethod(scene.visibility);
-  result.ordering = orderingOf(result.visibility, capabilities);
+  const DrawingWay& way = wayOf(result.visibility, capabilities);
+  result.native = capabilities.native;
+  if (result.native) {
+    result.instructionSet = instructionSet(scene.instructionSet).name;
+  } else {
+    result.ordering = orderingOf(result.visibility, capabilities);
+  }
   if (result.visibility.needsOrder) result.sort = scene.sort;
   result.earlyTermination = scene.earlyTermination;
   result.cellData = facts.cellData;
   result.opaqueSurfaces = facts.opaqueSurfaces;
   result.certificate = scene.certificate;
+  result.compositeLate = scene.compositeLate;
   planLookup(result, scene, facts, capabilities);
-  result.visibility.plan(result, scene, capabilities);
+  way.plan(result, scene, capabilities);
   return result;
 }
 

@@ -12,6 +12,7 @@ namespace havs {
 
 /// What the machine can do, as far as plans depend on it.
 struct Capabilities {
+  bool native = false;  ///< the native device: no OpenGL, nothing below matters
   std::function<bool(const std::string&)> hasExtension;
   int maximumDrawBuffers = 8;
   int maximumTextureSize = 16384;
@@ -29,6 +30,8 @@ struct ShaderDefine {
 /// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; the device, which
 /// is not its own, is chosen by its name in the scene.
 struct RenderPlan {
+  bool native = false;         ///< drawn by the native device
+  std::string instructionSet;  ///< of the native device: row of instructionSets()
   VisibilityMethod visibility;
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
   std::string sort;      ///< row of sortMethods(); empty: faces need no order
@@ -48,6 +51,7 @@ struct RenderPlan {
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool certificate = false;
+  bool compositeLate = false;
 };
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table
@@ -56,6 +60,10 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
+
+/// Entries along each axis of the table of the scene's lookup: those asked for, else the lookup's own
+/// (LookupResource::ownSize); 0 for a lookup without a table. Throws Error{input} for an unknown lookup.
+int tableSizeOf(const Scene& scene);
 
 /// How many k-buffer entries share a target: two that carry a scalar, one that carries a colour.
 int entriesPerTarget(const Lookup& lookup);

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "reference/edge_mask.h"
 #include "reference/reference_renderer.h"
+#include "render/devices.h"
 #include "render/k_search.h"
 #include "render/make_renderer.h"
 #include "render/order_advice.h"
@@ -106,10 +107,10 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
 /// Drawing through a row of visibilityMethods(), for reportOf.
 auto drawingOf(const Scene& scene, const Progress& progress) {
   return [&scene, &progress](const PreparedScene& prepared, const View& view, RenderReport& report) {
-    const auto device = makeDevice(scene.device, scene.threads);
-    report.renderer = device->renderer();
-    report.glVersion = device->version();
-    const Capabilities capabilities = capabilitiesOf(*device);
+    const RenderDevice device = openRenderDevice(scene.device, scene.threads);
+    report.renderer = device.renderer;
+    report.glVersion = device.version;
+    const Capabilities& capabilities = device.capabilities;
     const RenderPlan chosen =
         plan(withChosenK(scene, prepared, view, capabilities, report.stages, progress), prepared.facts(), capabilities);
     describePlan(chosen, report);

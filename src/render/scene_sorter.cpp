@@ -36,6 +36,9 @@ class PartSorter final : public FaceSorter {
       : part_(part), method_(method), sorter_(sorterOf(part, method)) {}
 
   void sort(const ViewPoint& view, FaceOrder& order) override { sorter_->sort(view, order); }
+  void sortInPieces(const ViewPoint& view, FaceOrder& order, const std::function<void(std::size_t)>& ready) override {
+    sorter_->sortInPieces(view, order, ready);
+  }
 
   bool refine(const ViewPoint& view, FaceOrder& order) override {
     if (refined_) return false;

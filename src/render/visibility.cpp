@@ -2,6 +2,7 @@
 
 #include "core/find_row.h"
 #include "render/gl/renderers.h"
+#include "render/native/renderers.h"
 
 namespace havs {
 
@@ -14,19 +15,17 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .maximumK = 14,
        .dropsLateFragments = true,
        .carriesColors = true,
-       .plan = planKBuffer,
-       .make = makeKBufferRenderer},
+       .gl = {planKBuffer, makeKBufferRenderer},
+       .native = {planNativeKBuffer, makeNativeKBufferRenderer}},
       {.name = "abuffer",
        .description = "all fragments of a pixel in memory, sorted; exact for any order of the faces (Carpenter 1984)",
        .needsOrder = false,
-       .plan = planABuffer,
-       .make = makeABufferRenderer},
+       .gl = {planABuffer, makeABufferRenderer}},
       {.name = "cells",
        .description = "each cell's segment blended as its faces come; as exact as their order (cycles, --sort)",
        .needsOrder = true,
        .endsPixelsEarly = false,
-       .plan = planCells,
-       .make = makeCellsRenderer},
+       .gl = {planCells, makeCellsRenderer}},
   };
   return rows;
 }

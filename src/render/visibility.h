@@ -15,6 +15,15 @@ namespace havs {
 struct Capabilities;
 struct RenderPlan;
 
+/// How a visibility method draws on one kind of device.
+struct DrawingWay {
+  /// Its part of the plan: targets, tiles, defines. A pure function. Throws Error like plan().
+  void (*plan)(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) = nullptr;
+  /// `prepared` and the current device must outlive the renderer. Stages timed: table, upload_mesh.
+  std::unique_ptr<Renderer> (*make)(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                    const Progress& progress) = nullptr;
+};
+
 /// One row of the table (`--visibility`).
 struct VisibilityMethod {
   std::string name;
@@ -25,11 +34,8 @@ struct VisibilityMethod {
   bool endsPixelsEarly = true;          ///< knows early termination (`--early-termination`)
   bool dropsLateFragments = false;      ///< knows late fragments, and may composite them (`--composite-late`)
   bool carriesColors = false;           ///< fragments may carry colours (Payload::color)
-  /// Its part of the plan: targets, tiles, defines. A pure function. Throws Error like plan().
-  void (*plan)(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) = nullptr;
-  /// `prepared` and the current device must outlive the renderer. Stages timed: table, upload_mesh.
-  std::unique_ptr<Renderer> (*make)(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
-                                    const Progress& progress) = nullptr;
+  DrawingWay gl;                        ///< on OpenGL
+  DrawingWay native;                    ///< on the native device; make is null where it does not draw that way
 };
 std::span<const VisibilityMethod> visibilityMethods();
 /// Throws Error{input}, naming the nearest.

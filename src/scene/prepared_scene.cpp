@@ -3,14 +3,46 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <chrono>
+#include <map>
+#include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "mesh/read.h"
+#include "mesh/spatial_order.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
 namespace {
+
+/// Adds up the parts of the two stages, which do not run in one go; each counts as one run in the end.
+class StageSums {
+ public:
+  explicit StageSums(StageTimes& stages) : stages_(stages) {}
+  ~StageSums() {
+    for (const char* stage : {"prepare", "faces"}) stages_.add(stage, sums_[stage]);
+  }
+  StageSums(const StageSums&) = delete;
+  StageSums& operator=(const StageSums&) = delete;
+
+  /// work(), as a part of the stage.
+  template <class Work>
+  auto time(const std::string& stage, const Work& work) {
+    const Part part{sums_[stage]};
+    return work();
+  }
+
+ private:
+  struct Part {
+    double& sum;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    ~Part() { sum += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(); }
+  };
+
+  StageTimes& stages_;
+  std::map<std::string, double> sums_;
+};
 
 void noteRepairs(PreparedScene& prepared) {
   for (const Defect& defect : prepared.defects)
@@ -30,14 +62,57 @@ std::vector<double> normalisedScalars(const ScalarField& field, const Extinction
   return scalars;
 }
 
-void prepareField(PreparedScene& prepared, const Scene& scene) {
-  prepared.field = selectField(prepared.mesh, scene.field);
-  prepared.mesh.pointFields.clear();
-  prepared.mesh.cellFields.clear();
-  prepared.mesh.pointFields.shrink_to_fit();
-  prepared.mesh.cellFields.shrink_to_fit();
-  if (const std::size_t holes = withoutHoles(prepared.mesh, prepared.field))
-    prepared.notes.push_back(fmt::format("{} cells without a finite scalar are holes", holes));
+/// The field, its values numbered as the prepared mesh is, and no cell where it is not finite. Whether cells went.
+bool prepareField(PreparedScene& prepared, ScalarField field) {
+  prepared.field = std::move(field);
+  const std::size_t holes = withoutHoles(prepared.mesh, prepared.field);
+  if (holes > 0) prepared.notes.push_back(fmt::format("{} cells without a finite scalar are holes", holes));
+  return holes > 0;
+}
+
+/// `field`, of a mesh that is numbered anew.
+ScalarField renumberedField(ScalarField field, const SpatialNumbers& numbers) {
+  field.values = renumbered(field.values, field.centering == Centering::cell ? numbers.cells : numbers.points);
+  return field;
+}
+
+/// The way of most meshes, which need no mending: nothing is looked for that the faces tell anyway, and all is done in
+/// numbers that follow space. Leaves `mesh` and returns false where there is something to mend.
+bool prepareSound(PreparedScene& prepared, const Scene& scene, TetMesh& mesh, StageSums& stages) {
+  std::optional<SpatialNumbers> numbers;
+  TetMesh ordered;
+  const bool sound = stages.time("prepare", [&] {
+    numbers = spatialNumbers(mesh.points, mesh.tetrahedra);
+    ordered = renumbered(mesh, *numbers);
+    return isSound(ordered);
+  });
+  if (!sound) return false;
+  Faces faces = stages.time("faces", [&] { return buildFaces(ordered); });
+  if (!faces.plain) return false;
+  const bool holes = stages.time("prepare", [&] {
+    prepared.defects = inspectFields(mesh);
+    noteRepairs(prepared);
+    ScalarField field = renumberedField(selectField(mesh, scene.field), *numbers);
+    mesh = {};
+    prepared.mesh = std::move(ordered);
+    return prepareField(prepared, std::move(field));
+  });
+  if (holes) faces = stages.time("faces", [&] { return buildFaces(prepared.mesh); });
+  prepared.faces = std::move(faces);
+  return true;
+}
+
+void prepareMended(PreparedScene& prepared, const Scene& scene, TetMesh mesh, StageSums& stages) {
+  stages.time("prepare", [&] {
+    prepared.defects = inspectMesh(mesh);
+    noteRepairs(prepared);
+    mesh = repairMesh(std::move(mesh));
+    const SpatialNumbers numbers = spatialNumbers(mesh.points, mesh.tetrahedra);
+    prepared.mesh = renumbered(mesh, numbers);
+    prepareField(prepared, renumberedField(selectField(mesh, scene.field), numbers));
+    mesh = {};
+  });
+  prepared.faces = stages.time("faces", [&] { return buildFaces(prepared.mesh); });
 }
 
 void prepareCurve(PreparedScene& prepared, const Scene& scene) {
@@ -55,22 +130,17 @@ void prepareCurve(PreparedScene& prepared, const Scene& scene) {
 
 PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages) {
   PreparedScene prepared;
-  {
-    const ScopedStage timer(stages, "prepare");
-    prepared.notes = mesh.notes;
-    prepared.defects = inspectMesh(mesh);
-    noteRepairs(prepared);
-    prepared.mesh = repairMesh(std::move(mesh));
-    prepareField(prepared, scene);
+  StageSums sums(stages);
+  prepared.notes = mesh.notes;
+  if (!prepareSound(prepared, scene, mesh, sums)) prepareMended(prepared, scene, std::move(mesh), sums);
+  sums.time("prepare", [&] {
     prepared.frame = localFrame(prepared.mesh);
     prepared.points = localPoints(prepared.mesh, prepared.frame);
     prepared.longestEdge = longestEdge(prepared.mesh, prepared.points);
     prepareCurve(prepared, scene);
     prepared.scalars = normalisedScalars(prepared.field, prepared.curve);
     prepared.field.values = {};
-  }
-  const ScopedStage timer(stages, "faces");
-  prepared.faces = buildFaces(prepared.mesh);
+  });
   return prepared;
 }
 

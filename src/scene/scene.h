@@ -8,8 +8,8 @@
 
 namespace havs {
 
-/// What is asked for. Names refer to the tables: deviceRows() (gl/device.h), visibilityMethods()
-/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h),
+/// What is asked for. Names refer to the tables: renderDevices() (render/devices.h), visibilityMethods()
+/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h), instructionSets() (render/native/instruction_sets.h),
 /// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
@@ -23,12 +23,13 @@ struct Scene {
   int height = 1024;
   Camera camera;
   std::string device = "osmesa";
+  std::string instructionSet;  ///< of the native device; empty: the widest that the processor has
   std::string visibility = "kbuffer";
   std::string sort = "topological";
   int k = 6;
   bool kAuto = false;  ///< the smallest k without a misordered fragment instead of `k` (render/k_search.h)
-  std::string lookup = "3d";
-  int tableSize = 128;
+  std::string lookup = "3d-normalised";
+  std::optional<int> tableSize;         ///< of the lookup's table; empty: its own (tableSizeOf in render/plan.h)
   std::string tableFormat = "rgba32f";  ///< or rgba8
   std::string targetFormat = "32f";     ///< numbers of the k-buffer's render targets; or 16f
   double earlyTermination = 0;          ///< opacity at which a pixel is done; 0: never
@@ -45,8 +46,8 @@ struct SceneFacts {
   bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
 };
 
-/// The paper's own choices (`--paper`): centroid, k 6, RGBA8 128^3 table, termination at 0.99, late fragments
-/// composited.
+/// The paper's own choices (`--paper`): centroid, k 6, `3d` with an RGBA8 128^3 table, termination at 0.99, late
+/// fragments composited.
 void applyPaperPreset(Scene& scene);
 
 }  // namespace havs

@@ -2,8 +2,8 @@
 // eye, as float keys that a radix sort takes in linear time. Approximate: a face whose centroid is nearer may well lie
 // behind; the k-buffer mends what it can.
 #include "core/parallel.h"
+#include "mesh/radix_sort.h"
 #include "sort/distance_key.h"
-#include "sort/radix_sort.h"
 #include "sort/sorters.h"
 
 namespace havs {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -34,6 +35,14 @@ class FaceSorter {
   virtual bool refine(const ViewPoint& view, FaceOrder& order) {
     static_cast<void>(view), static_cast<void>(order);
     return false;
+  }
+  /// The same, handed over in pieces: `ready(count)` is called with growing counts, the last that of all faces, when
+  /// order.faces[0 .. count) are written for good. order.faces has its full size from the first call on, so nothing
+  /// moves. The calls come one after another, but maybe from other threads; they should return soon. What they throw is
+  /// rethrown. Orders that are known only as a whole call it once.
+  virtual void sortInPieces(const ViewPoint& view, FaceOrder& order, const std::function<void(std::size_t)>& ready) {
+    sort(view, order);
+    ready(order.faces.size());
   }
 };
 

@@ -5,23 +5,26 @@
 // starts at cells with a boundary face that rays leave through, near ones first: what a nearer part of a non-convex
 // mesh consists of is written before the search reaches a part behind it. Where cells hide each other in a cycle, the
 // relation across the face that shows smallest is ignored, and counted: every ray that does not pass that face still
-// meets all cells in order.
+// meets all cells in order. The search itself is in
+// cell_search.h; this file tells it which cell is in front of which, and where to start. When neither has changed since
+// the last view, its result stands.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
 #include "core/parallel.h"
+#include "mesh/radix_sort.h"
+#include "sort/cell_search.h"
 #include "sort/distance_key.h"
-#include "sort/radix_sort.h"
+#include "sort/face_pieces.h"
 #include "sort/sorters.h"
-#include "sort/spatial_order.h"
 
 namespace havs {
 namespace {
 
 constexpr std::size_t kGrain = 8192;
-/// Relations of a cycle that are looked at for the one to cut: keeps the search linear.
-constexpr std::size_t kCutReach = 256;
+constexpr std::size_t kCellsOfPiece = 16384;
 
 /// On which side of a face, as oriented by Faces, the eye is.
 enum class Side : std::int8_t { inside = -1, edgeOn = 0, outside = 1 };
@@ -29,7 +32,7 @@ enum class Side : std::int8_t { inside = -1, edgeOn = 0, outside = 1 };
 /// The face's plane at the eye: `height` is six times the volume of face and eye, positive outside.
 struct EyeHeight {
   double height;
-  double bound;  ///< of the rounding error
+  double boundSquared;  ///< of the rounding error
   Vec3 toEye;
 };
 
@@ -37,14 +40,36 @@ EyeHeight eyeHeight(const Vec3& a, const Vec3& b, const Vec3& c, const ViewPoint
   const Vec3 ab = b - a, ac = c - a;
   const Vec3 toEye = view.orthographic ? -view.direction : view.eye - a;
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();  // of three products and their sums
-  return {dot(cross(ab, ac), toEye), kRounding * std::sqrt(dot(ab, ab) * dot(ac, ac) * dot(toEye, toEye)), toEye};
+  return {dot(cross(ab, ac), toEye), kRounding * kRounding * (dot(ab, ab) * dot(ac, ac) * dot(toEye, toEye)), toEye};
 }
 
 /// Outside: a ray through the face passes from cells[1] to cells[0]. Edge-on also where rounding hides the sign: no
 /// pixel can tell the difference.
 Side eyeSide(const EyeHeight& plane) {
-  if (std::abs(plane.height) <= plane.bound) return Side::edgeOn;
+  if (plane.height * plane.height <= plane.boundSquared) return Side::edgeOn;
   return plane.height > 0 ? Side::outside : Side::inside;
+}
+
+/// The heights of the eye over the planes of a cell's faces, all at once, positive outside of the cell.
+struct CellHeights {
+  std::array<double, 4> height;
+  double doubt;  ///< what is greater has the sign that eyeSide finds for the face
+};
+
+CellHeights cellHeights(std::span<const Vec3> points, const Tetrahedron& cell, const ViewPoint& view) {
+  const Vec3& origin = points[cell[0]];
+  const Vec3 a = points[cell[1]] - origin, b = points[cell[2]] - origin, c = points[cell[3]] - origin;
+  const Vec3 toEye = view.orthographic ? -view.direction : view.eye - origin;
+  const Vec3 ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);  // into the cell, as it is right-handed
+  const double volume = view.orthographic ? 0 : dot(ab, c);
+  CellHeights result{{0, -dot(bc, toEye), -dot(ca, toEye), -dot(ab, toEye)}, 0};
+  result.height[0] = -(result.height[1] + result.height[2] + result.height[3]) - volume;
+  const auto size = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const double edges = size(a) + size(b) + size(c);
+  // Twice the bound of eyeHeight is at most 16 of these, the rounding of the sums above at most 40.
+  constexpr double kRounding = 128 * std::numeric_limits<double>::epsilon();
+  result.doubt = kRounding * edges * edges * (edges + size(toEye));
+  return result;
 }
 
 /// Grows with the area that the face takes of the picture.
@@ -53,80 +78,98 @@ double footprint(const EyeHeight& plane) {
   return std::abs(plane.height) / (distance * distance * distance);
 }
 
-/// Cells are numbered here along a curve through space, so that the search finds neighbours near in memory.
+std::vector<Neighbors> neighborsOf(const Faces& faces) {
+  std::vector<Neighbors> neighbors(faces.ofCell.size());
+  parallelFor(0, neighbors.size(), kGrain, [&](std::size_t cell) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& [first, second] = faces.cells[faces.ofCell[cell][i]];
+      neighbors[cell][i] = first == cell ? second : first;
+    }
+  });
+  return neighbors;
+}
+
+/// Places in memory follow the numbers of the cells, so cells that lie near each other should have near numbers
+/// (mesh/spatial_order.h).
 class TopologicalSorter final : public FaceSorter {
  public:
   explicit TopologicalSorter(const SortInput& input);
-  void sort(const ViewPoint& view, FaceOrder& order) override;
+  void sort(const ViewPoint& view, FaceOrder& order) override { sortInPieces(view, order, {}); }
+  void sortInPieces(const ViewPoint& view, FaceOrder& order, const std::function<void(std::size_t)>& ready) override;
 
  private:
-  enum class State : std::uint8_t { fresh, open, written };
   struct BoundaryFace {
     Index face, cell;
   };
 
   EyeHeight eyeHeightOf(Index face) const;
-  void findSides();
-  void findEnteredFaces();
-  void findStarts();
-  void writeWithAllInFront(Index start, FaceOrder& order);
-  void cutCycle(Index repeated);
-  void writeFaces(Index cell, std::vector<Index>& faces);
+  bool findSides();
+  bool findStarts();
+  CellMarks marksOf(Index cell) const;
+  void search(FacePieces& pieces);
 
   SortInput input_;
   ViewPoint view_;
-  std::vector<std::array<Index, 4>> cellFaces_;  ///< the faces of each cell
-  std::vector<std::array<Index, 4>> neighbors_;  ///< the cells behind them, kNoIndex at the boundary
-  std::vector<std::uint8_t> outward_;            ///< one a cell: bit i where the normal of its face i points out of it
+  std::vector<Neighbors> neighbors_;
   std::vector<BoundaryFace> boundary_;
-  std::vector<Side> sides_;  ///< of the eye, one a face
-  std::vector<std::uint8_t>
-      entered_;  ///< one a cell: bit i where rays enter through face i, bit 4 + i where that relation is cut
-  std::vector<State> states_;         ///< one a cell
-  std::vector<std::uint32_t> stack_;  ///< 8 * cell + the next of its faces to follow
+  std::vector<CellMarks> sides_;           ///< what the view says of each cell, before the search
+  std::vector<Index> starts_;              ///< cells
+  std::vector<CellMarks> marks_;           ///< the same, after it
+  std::vector<Index> cells_;               ///< in the order of the last view
+  std::vector<FacePieces::Piece> pieces_;  ///< of cells_
+  CellSearch search_;
+  bool isSearched_ = false;               ///< the search of these sides and starts came to its end
+  std::vector<std::uint32_t> startKeys_;  ///< one a boundary face
   std::vector<KeyedIndex> leftFaces_;
-  std::vector<Index> starts_;
   RadixSorter radixSorter_;
 };
 
-TopologicalSorter::TopologicalSorter(const SortInput& input) : input_(input) {
-  const Faces& faces = *input.faces;
-  const std::vector<Index> cellAt = spatialOrder(input.points, input.tetrahedra);
-  std::vector<Index> placeOf(cellAt.size());
-  parallelFor(0, cellAt.size(), kGrain, [&](std::size_t place) { placeOf[cellAt[place]] = static_cast<Index>(place); });
-  cellFaces_.resize(cellAt.size());
-  neighbors_.resize(cellAt.size());
-  outward_.resize(cellAt.size());
-  parallelFor(0, cellAt.size(), kGrain, [&](std::size_t place) {
-    cellFaces_[place] = faces.ofCell[cellAt[place]];
-    unsigned outward = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      const auto& [first, second] = faces.cells[cellFaces_[place][i]];
-      const bool isFirst = first == cellAt[place];
-      const Index other = isFirst ? second : first;
-      neighbors_[place][i] = other == kNoIndex ? kNoIndex : placeOf[other];
-      outward |= (isFirst ? 1u : 0u) << i;
-    }
-    outward_[place] = static_cast<std::uint8_t>(outward);
-  });
-  boundary_.reserve(faces.boundaryCount);
+TopologicalSorter::TopologicalSorter(const SortInput& input)
+    : input_(input),
+      neighbors_(neighborsOf(*input.faces)),
+      sides_(neighbors_.size()),
+      marks_(neighbors_.size()),
+      cells_(neighbors_.size()),
+      search_(neighbors_) {
+  boundary_.reserve(input.faces->boundaryCount);
   for (std::size_t cell = 0; cell < neighbors_.size(); ++cell)
     for (std::size_t i = 0; i < 4; ++i)
-      if (neighbors_[cell][i] == kNoIndex) boundary_.push_back({cellFaces_[cell][i], static_cast<Index>(cell)});
+      if (neighbors_[cell][i] == kNoIndex)
+        boundary_.push_back({input.faces->ofCell[cell][i], static_cast<Index>(cell)});
 }
 
-void TopologicalSorter::sort(const ViewPoint& view, FaceOrder& order) {
+void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
+                                     const std::function<void(std::size_t)>& ready) {
   view_ = view;
-  findSides();
-  findEnteredFaces();
-  findStarts();
-  states_.assign(neighbors_.size(), State::fresh);
-  order.cycles = 0;
-  order.faces.clear();
-  order.faces.reserve(input_.faces->size());
-  for (const Index cell : starts_) writeWithAllInFront(cell, order);
+  order.faces.resize(input_.faces->size());
+  const bool sidesChanged = findSides(), startsChanged = findStarts();
+  FacePieces pieces(input_.faces->ofCell, marks_, cells_, order.faces, ready);
+  if (sidesChanged || startsChanged || !isSearched_) {
+    isSearched_ = false;
+    marks_ = sides_;
+    search(pieces);
+    isSearched_ = true;
+  } else {
+    for (const FacePieces::Piece& piece : pieces_) pieces.add(piece);
+  }
+  pieces.finish();
+  order.cycles = search_.cycles();
+}
+
+void TopologicalSorter::search(FacePieces& pieces) {
+  pieces_.clear();
+  search_.start(marks_, cells_,
+                [this](Index cell, unsigned face) { return footprint(eyeHeightOf(input_.faces->ofCell[cell][face])); });
+  const auto endPiece = [&] {
+    const FacePieces::Piece last = pieces_.empty() ? FacePieces::Piece{} : pieces_.back();
+    pieces_.push_back({last.endCell, search_.cellCount(), last.endFace, search_.faceCount()});
+    pieces.add(pieces_.back());
+  };
+  for (const Index cell : starts_) search_.writeWithAllInFront(cell, kCellsOfPiece, endPiece);
   // What no ray leaves through a boundary: cells of cycles, or seen edge-on.
-  for (std::size_t cell = 0; cell < neighbors_.size(); ++cell) writeWithAllInFront(static_cast<Index>(cell), order);
+  for (std::size_t cell = 0; search_.cellCount() < cells_.size(); ++cell)
+    search_.writeWithAllInFront(static_cast<Index>(cell), kCellsOfPiece, endPiece);
+  if (pieces_.empty() || pieces_.back().endCell < cells_.size()) endPiece();
 }
 
 EyeHeight TopologicalSorter::eyeHeightOf(Index face) const {
@@ -134,99 +177,62 @@ EyeHeight TopologicalSorter::eyeHeightOf(Index face) const {
   return eyeHeight(input_.points[a], input_.points[b], input_.points[c], view_);
 }
 
-void TopologicalSorter::findSides() {
-  sides_.resize(input_.faces->size());
-  parallelFor(0, sides_.size(), kGrain,
-              [&](std::size_t f) { sides_[f] = eyeSide(eyeHeightOf(static_cast<Index>(f))); });
+/// Which faces rays enter each cell through. Whether any of that is other than in the last view.
+bool TopologicalSorter::findSides() {
+  std::atomic<bool> changed = false;
+  parallelBlocks(0, neighbors_.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    bool mine = false;
+    for (std::size_t cell = first; cell < last; ++cell) {
+      const CellMarks marks = marksOf(static_cast<Index>(cell));
+      mine |= marks != sides_[cell];
+      sides_[cell] = marks;
+    }
+    if (mine) changed.store(true, std::memory_order_relaxed);
+  });
+  return changed;
 }
 
-void TopologicalSorter::findEnteredFaces() {
-  entered_.resize(cellFaces_.size());
-  parallelFor(0, cellFaces_.size(), kGrain, [&](std::size_t cell) {
-    unsigned entered = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      const bool outward = ((outward_[cell] >> i) & 1u) != 0;
-      entered |= (sides_[cellFaces_[cell][i]] == (outward ? Side::outside : Side::inside) ? 1u : 0u) << i;
-    }
-    entered_[cell] = static_cast<std::uint8_t>(entered);
-  });
+CellMarks TopologicalSorter::marksOf(Index cell) const {
+  const CellHeights plane = cellHeights(input_.points, input_.tetrahedra[cell], view_);
+  unsigned entered = 0, edgeOn = 0, inner = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const Index other = neighbors_[cell][i];
+    inner |= (other != kNoIndex ? 1u : 0u) << i;
+    entered |= (plane.height[i] > 0 ? 1u : 0u) << i;
+    if (std::abs(plane.height[i]) > plane.doubt) continue;
+    const Side side = eyeSide(eyeHeightOf(input_.faces->ofCell[cell][i]));
+    // The face is turned out of the cell with the lower number.
+    const bool isEntered = side == (other > cell ? Side::outside : Side::inside);
+    entered = (entered & ~(1u << i)) | ((isEntered ? 1u : 0u) << i);
+    edgeOn |= (side == Side::edgeOn ? 1u : 0u) << i;
+  }
+  return {entered & inner, entered & ~inner, edgeOn & inner};
 }
 
 /// The cells with a boundary face that rays leave through, near ones first. "Near" is measured midway between the
 /// face's centroid and its farthest vertex: on five real non-convex meshes from 24 views each that misorders no
 /// fragment (the centroid: 3, the nearest vertex: 15), and on coarse grids with an unwelded seam as few as the centroid
-/// does (the farthest vertex: eight times as many).
-void TopologicalSorter::findStarts() {
+/// does (the farthest vertex: eight times as many). Whether they are others than in the last view.
+bool TopologicalSorter::findStarts() {
   const DistanceKey key(view_);
-  leftFaces_.clear();
-  for (const BoundaryFace& boundary : boundary_) {
-    if (sides_[boundary.face] != Side::inside) continue;
-    const auto& [a, b, c] = input_.faces->vertices[boundary.face];
+  constexpr std::uint32_t kNoStart = 0;  // of no number
+  startKeys_.resize(boundary_.size());
+  parallelFor(0, boundary_.size(), kGrain, [&](std::size_t i) {
+    startKeys_[i] = kNoStart;
+    if (eyeSide(eyeHeightOf(boundary_[i].face)) != Side::inside) return;
+    const auto& [a, b, c] = input_.faces->vertices[boundary_[i].face];
     const double farthest = std::max({key(input_.points[a]), key(input_.points[b]), key(input_.points[c])});
     const double middle = key((input_.points[a] + input_.points[b] + input_.points[c]) / 3.0);
-    leftFaces_.push_back({sortableKey(static_cast<float>(0.5 * (middle + farthest))), boundary.cell});
-  }
-  radixSorter_.sort(leftFaces_, starts_);
-}
-
-/// Writes the cell `start` after all cells in front of it; nothing if it is written already.
-void TopologicalSorter::writeWithAllInFront(Index start, FaceOrder& order) {
-  if (states_[start] != State::fresh) return;
-  states_[start] = State::open;
-  stack_.assign(1, 8 * start);
-  while (!stack_.empty()) {
-    const Index cell = stack_.back() / 8;
-    const std::size_t next = stack_.back() % 8;
-    if (next == 4) {
-      stack_.pop_back();
-      states_[cell] = State::written;
-      writeFaces(cell, order.faces);
-      continue;
-    }
-    ++stack_.back();
-    const Index inFront = neighbors_[cell][next];
-    if (((entered_[cell] >> next) & 0x11u) != 1u || inFront == kNoIndex) continue;  // not entered there, or cut
-    if (states_[inFront] == State::fresh) {
-      states_[inFront] = State::open;
-      stack_.push_back(8 * inFront);
-    } else if (states_[inFront] == State::open) {
-      ++order.cycles;
-      cutCycle(inFront);
-    }
-  }
-}
-
-/// The cells of the stack from `repeated` to the top are each behind the next, and the last is behind `repeated`. Cuts
-/// the relation across the face with the smallest footprint; the cells beyond it leave the stack and will be reached
-/// again.
-void TopologicalSorter::cutCycle(Index repeated) {
-  auto followedFace = [&](std::size_t place) { return stack_[place] % 8 - 1; };
-  std::size_t weakest = stack_.size() - 1;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t place = stack_.size(), reach = kCutReach; place-- > 0 && reach > 0; --reach) {
-    const Index cell = stack_[place] / 8;
-    const double area = footprint(eyeHeightOf(cellFaces_[cell][followedFace(place)]));
-    if (area < smallest) {
-      smallest = area;
-      weakest = place;
-    }
-    if (cell == repeated) break;
-  }
-  const std::uint32_t cut = 0x10u << followedFace(weakest);
-  entered_[stack_[weakest] / 8] = static_cast<std::uint8_t>(entered_[stack_[weakest] / 8] | cut);
-  for (std::size_t place = weakest + 1; place < stack_.size(); ++place) states_[stack_[place] / 8] = State::fresh;
-  stack_.resize(weakest + 1);
-}
-
-/// First the faces that rays enter the cell through, then the others: those they leave it through, and those seen
-/// edge-on. A face to a cell that is written is written with it.
-void TopologicalSorter::writeFaces(Index cell, std::vector<Index>& faces) {
-  for (const unsigned entered : {1u, 0u})
-    for (unsigned i = 0; i < 4; ++i) {
-      const Index other = neighbors_[cell][i];
-      const bool isWritten = other != kNoIndex && states_[other] == State::written;
-      if (((entered_[cell] >> i) & 1u) == entered && !isWritten) faces.push_back(cellFaces_[cell][i]);
-    }
+    startKeys_[i] = sortableKey(static_cast<float>(0.5 * (middle + farthest)));
+  });
+  leftFaces_.clear();
+  for (std::size_t i = 0; i < boundary_.size(); ++i)
+    if (startKeys_[i] != kNoStart) leftFaces_.push_back({startKeys_[i], boundary_[i].cell});
+  std::vector<Index> starts;
+  radixSorter_.sort(leftFaces_, starts);
+  const bool changed = starts != starts_;
+  starts_ = std::move(starts);
+  return changed;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/find_row.h"
 #include "render/lookups.h"
+#include "render/plan.h"
 #include "render/target_formats.h"
 #include "render/visibility.h"
 #include "sort/face_order.h"
@@ -116,7 +117,7 @@ StudyAxis tableAxis() {
                 return quick ? Values{"16", "32", "64"} : Values{"8", "16", "32", "64", "128"};
               },
           .apply = [](Scene& s, const std::string& value) { s.tableSize = parseInteger(value); },
-          .valueOf = [](const Scene& s) { return std::to_string(s.tableSize); },
+          .valueOf = [](const Scene& s) { return std::to_string(tableSizeOf(s)); },
           .applies = readsTable};
 }
 
@@ -233,7 +234,7 @@ std::string settingsLabel(const Scene& scene) {
   if (method.needsOrder) text += ", " + scene.sort;
   text += ", " + scene.lookup;
   if (const LookupResource* table = tableOf(lookup(scene.lookup)))
-    text += fmt::format(" {}^{} {}", scene.tableSize, table->axes, scene.tableFormat);
+    text += fmt::format(" {}^{} {}", tableSizeOf(scene), table->axes, scene.tableFormat);
   if (method.maximumK > 0 && scene.targetFormat != Scene{}.targetFormat)
     text += fmt::format(", targets {}", scene.targetFormat);
   if (scene.earlyTermination > 0) text += fmt::format(", ends at {}", scene.earlyTermination);

@@ -21,6 +21,7 @@ struct StudyAxis {
   std::vector<std::string> (*values)(bool quick) = nullptr;
   /// Makes the scene one with this value. Throws Error{input} for a text that is no value.
   void (*apply)(Scene& scene, const std::string& value) = nullptr;
+  /// What the scene has, also where that is a default of its other settings (a table's size). Only where it applies.
   std::string (*valueOf)(const Scene& scene) = nullptr;
   /// Whether the setting has any effect on this scene (k only where the method knows one, ...).
   bool (*applies)(const Scene& scene) = nullptr;
@@ -42,7 +43,7 @@ std::vector<AxisChoice> chooseAxes(std::span<const std::string> texts, bool quic
 /// Two scenes have one key if and only if they are drawn in the same way: settings without effect are left out.
 std::string settingsKey(const Scene& scene);
 
-/// The settings in a few words: "kbuffer k 6, topological, 3d 128^3 rgba32f".
+/// The settings in a few words: "kbuffer k 6, topological, 3d-normalised 64^3 rgba32f".
 std::string settingsLabel(const Scene& scene);
 
 }  // namespace havs

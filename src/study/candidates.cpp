@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -44,7 +45,7 @@ double costOf(const Scene& scene, double fragments) {
   constexpr double kMilliseconds = 1e-6;
   const Lookup row = lookup(scene.lookup);
   const LookupResource* table = tableOf(row);
-  const double entries = table != nullptr ? std::pow(scene.tableSize, table->axes) : 0;
+  const double entries = table != nullptr ? std::pow(tableSizeOf(scene), table->axes) : 0;
   const int k = visibilityMethod(scene.visibility).maximumK > 0 ? scene.k : 0;
   const double frame = fragments * (kFragment + kEntryOfK * k + lookupCost(row));
   return kMilliseconds * (kTableEntry * entries + scene.repeat * frame);
@@ -62,10 +63,11 @@ std::vector<std::string> lookupChoices() {
 }
 
 /// Two axes are filled in no time, so they may be longer.
-std::vector<int> tableSizes(const Lookup& row, int given) {
+std::vector<std::optional<int>> tableSizes(const Lookup& row, std::optional<int> given) {
   const LookupResource* table = tableOf(row);
   if (table == nullptr) return {given};
-  return table->axes == 2 ? std::vector{64, 128, 256, 512} : std::vector{16, 32, 64, 128};
+  if (table->axes == 2) return {64, 128, 256, 512};
+  return {16, 32, 64, 128};
 }
 
 bool isAllowed(const Scene& scene) {
@@ -81,10 +83,10 @@ bool isAllowed(const Scene& scene) {
 void addCandidates(std::vector<Candidate>& all, Scene scene, double fragments) {
   scene.lookup = "exact";
   const double most = costOf(scene, fragments);
-  const int given = scene.tableSize;
+  const std::optional<int> given = scene.tableSize;
   for (const std::string& name : lookupChoices()) {
     scene.lookup = name;
-    for (const int size : tableSizes(lookup(name), given)) {
+    for (const std::optional<int> size : tableSizes(lookup(name), given)) {
       scene.tableSize = size;
       const double cost = costOf(scene, fragments);
       if (isAllowed(scene) && (cost < most || name == "exact")) all.push_back({scene, cost});

@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "core/find_row.h"
 #include "core/parallel.h"
-#include "gl/device.h"
+#include "render/devices.h"
 #include "render/make_renderer.h"
 #include "study/axes.h"
 #include "study/truth.h"
@@ -73,7 +73,7 @@ class SettingsChooser::Probe {
         measure_(errorMeasure(measure)),
         size_(probeOf(scene)),
         view_(viewOf(size_, prepared)),
-        device_(makeDevice(scene.device, scene.threads)),
+        device_(openRenderDevice(scene.device, scene.threads)),
         truths_("", prepared, "") {}
 
   /// Infinite for what this machine cannot draw.
@@ -102,7 +102,7 @@ class SettingsChooser::Probe {
     const Truth& truth = truths_.of(size_);
     StageTimes stages;
     try {
-      const RenderPlan chosen = plan(scene, prepared_.facts(), capabilitiesOf(*device_));
+      const RenderPlan chosen = plan(scene, prepared_.facts(), device_.capabilities);
       const Image image = makeRenderer(prepared_, chosen, stages)->draw(view_, stages).image;
       return compareImages(image, truth.image, truth.mask).rgba.*measure_.value;
     } catch (const Error&) {
@@ -114,7 +114,7 @@ class SettingsChooser::Probe {
   const ErrorMeasure& measure_;
   Scene size_;
   View view_;
-  std::unique_ptr<Device> device_;
+  RenderDevice device_;
   Truths truths_;
   std::map<std::string, double> errors_;
 };

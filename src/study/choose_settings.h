@@ -64,7 +64,7 @@ struct ChosenSettings {
 class SettingsChooser {
  public:
   /// `prepared` must outlive it. `measure`: a row of errorMeasures(). Throws Error as checkGoal, prepareScene,
-  /// makeDevice.
+  /// openRenderDevice.
   SettingsChooser(const Scene& scene, const PreparedScene& prepared, const std::string& measure);
   ~SettingsChooser();
   SettingsChooser(const SettingsChooser&) = delete;

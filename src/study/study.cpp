@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/output_file.h"
 #include "core/parallel.h"
-#include "gl/device.h"
+#include "render/devices.h"
 #include "study/fingerprint.h"
 #include "study/store.h"
 #include "study/subject.h"
@@ -68,12 +68,12 @@ StudyIdentity identityOf(const StudyRequest& request) {
 
 class Study {
  public:
-  Study(const StudyRequest& request, const Progress& progress, StudyStore& store, const Device& device)
+  Study(const StudyRequest& request, const Progress& progress, StudyStore& store, const RenderDevice& device)
       : request_(request), store_(store), device_(device), ids_(subjectIds(request.scenes)), clock_(progress, 0) {
     report_.command = request.command;
     report_.axes = request.axes;
     report_.baseline = request.scenes.front();
-    report_.device = {device.renderer(), device.version()};
+    report_.device = {device.renderer, device.version};
     if (store.records().device.renderer.empty()) store.add(report_.device);
     report_.machine = thisMachine();
   }
@@ -177,7 +177,7 @@ class Study {
 
   const StudyRequest& request_;
   StudyStore& store_;
-  const Device& device_;
+  const RenderDevice& device_;
   std::vector<std::string> ids_;
   StudyClock clock_;
   std::size_t visitsBefore_ = 0;
@@ -198,8 +198,8 @@ StudyReport runStudy(const StudyRequest& request, const Progress& progress) {
   viewOf(request.scenes.front(), prepared);
   StudyStore store(request.folder, identity, request.restart);
   fs::create_directories(request.folder / "images");
-  const auto device = makeDevice(request.scenes.front().device, request.scenes.front().threads);
-  Study study(request, progress, store, *device);
+  const RenderDevice device = openRenderDevice(request.scenes.front().device, request.scenes.front().threads);
+  Study study(request, progress, store, device);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) {
     if (i > 0 && !sameMesh(request.scenes[i], request.scenes[i - 1])) {
       prepared = {};

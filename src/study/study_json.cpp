@@ -19,6 +19,8 @@ Json asJson(const Machine& machine, const DeviceRecord& device) {
           {"compiler", machine.compiler}};
 }
 
+Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
 /// The reference of the subject's own size; null where it has not been drawn.
 Json referenceOf(const SubjectRecord& subject, const std::vector<ReferenceRecord>& references) {
   for (const ReferenceRecord& one : references)
@@ -41,8 +43,9 @@ Json asJson(const AxisChoice& choice, const Scene& baseline) {
   return {{"name", choice.axis->name},
           {"title", choice.axis->title},
           {"values", choice.values},
-          {"baseline", choice.axis->valueOf(baseline)},
-          {"ordered", choice.axis->ordered}};
+          {"baseline", choice.axis->applies(baseline) ? Json(choice.axis->valueOf(baseline)) : Json()},
+          {"ordered", choice.axis->ordered},
+          {"across", textOrNull(choice.axis->across)}};
 }
 
 /// The text as a number where the axis has numbers.
@@ -66,8 +69,6 @@ Json settingsJson(const Scene& scene) {
 Json asJson(const Spread& spread) {
   return {{"median", spread.median}, {"least", spread.least}, {"most", spread.most}};
 }
-
-Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json asJson(const RunReport& report) {
   Json json{{"id", report.run.id},

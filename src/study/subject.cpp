@@ -78,7 +78,7 @@ std::string fileNameOf(const std::string& runId) {
   return name;
 }
 
-Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const Device& device,
+Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const RenderDevice& device,
                  std::filesystem::path folder, std::size_t keepBytes)
     : prepared_(prepared),
       device_(device),
@@ -91,7 +91,7 @@ Subject::Made Subject::make(const Scene& scene) const {
   using Clock = std::chrono::steady_clock;
   Made made;
   const auto start = Clock::now();
-  made.plan = plan(scene, prepared_.facts(), capabilitiesOf(device_));
+  made.plan = plan(scene, prepared_.facts(), device_.capabilities);
   StageTimes stages;
   made.renderer = makeRenderer(prepared_, made.plan, stages);
   made.tableMs = stages.total("table");

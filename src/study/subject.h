@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "gl/device.h"
+#include "render/devices.h"
 #include "scene/prepared_scene.h"
 #include "study/records.h"
 #include "study/renderer_pool.h"
@@ -18,7 +18,7 @@ class Subject {
  public:
   /// `folder`: of the study; pictures go to images/ in it. `keepBytes`: memory for renderers kept between visits.
   /// Throws Error{input} for a camera that cannot be used.
-  Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const Device& device,
+  Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const RenderDevice& device,
           std::filesystem::path folder, std::size_t keepBytes);
 
   const SubjectRecord& record() const { return record_; }
@@ -37,7 +37,7 @@ class Subject {
   std::optional<std::array<std::size_t, 2>> certificateOf(const Scene& scene);
 
   const PreparedScene& prepared_;
-  const Device& device_;
+  const RenderDevice& device_;
   std::filesystem::path folder_;
   SubjectRecord record_;
   Truths truths_;

@@ -6,6 +6,7 @@
 
 #include "core/median.h"
 #include "render/lookups.h"
+#include "render/plan.h"
 #include "study/front.h"
 #include "study/study_report.h"
 
@@ -108,7 +109,7 @@ std::map<std::string, Series> seriesOf(const std::vector<RunReport>& runs) {
     Scene scene = run.run.scene;
     if (axis("table").applies(scene)) {
       scene.tableSize = 0;
-      addTo(series, run.run.subject + "|" + settingsKey(scene), run, "table", scene.lookup, run.run.scene.tableSize);
+      addTo(series, run.run.subject + "|" + settingsKey(scene), run, "table", scene.lookup, tableSizeOf(run.run.scene));
     }
     const std::size_t colon = scene.lookup.find(':');
     if (colon == std::string::npos) continue;

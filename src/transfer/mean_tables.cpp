@@ -18,7 +18,7 @@ void fill(MeanTable2d& table, const ExtinctionCurve& curve, const TouchedLines& 
   const std::size_t size = table.size;
   const GridPieces grid(curve, table.size, kAddedExtinction);
   parallelBlocks(0, size, 8, [&](std::size_t first, std::size_t last) {
-    LayerBuilder builder(grid);
+    LayerBuilder builder(grid, true);
     for (std::size_t span = first; span < last; ++span)
       builder.build(table.length, static_cast<int>(span), touched, [&](int front, int back, const Stretch& s) {
         float* const entry = &table.rgba[4 * (static_cast<std::size_t>(back) * size + static_cast<std::size_t>(front))];

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/error.h"
 #include "core/memory.h"
@@ -17,10 +18,10 @@
 #include "gl/program.h"
 #include "mesh/read.h"
 #include "mesh/scalar_field.h"
+#include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/tile.h"
 #include "render/make_renderer.h"
-#include "transfer/preintegration.h"
 
 namespace havs {
 namespace {
@@ -31,7 +32,7 @@ struct Options {
   std::string field;
   std::string transferFunction = "viridis";
   std::string lookup = Scene{}.lookup;
-  int tableSize = Scene{}.tableSize;
+  std::optional<int> tableSize;
   std::string tableFormat = Scene{}.tableFormat;
   int size = 1024;
   int k = 6;
@@ -139,8 +140,7 @@ nlohmann::ordered_json measure(const Options& options) {
   const RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device));
 
   Stopwatch table;
-  for (int i = 0; i <= options.repeat; ++i)
-    table.time([&] { buildTable3d(withoutOpaque(prepared.curve), scene.tableSize, prepared.longestEdge); });
+  for (int i = 0; i <= options.repeat; ++i) table.time([&] { LookupTextures(prepared, chosen, {}); });
 
   const auto renderer = makeRenderer(prepared, chosen, stages);
   const auto sorter = sortMethod(scene.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces});
@@ -167,7 +167,7 @@ nlohmann::ordered_json measure(const Options& options) {
   json["size"] = options.size;
   json["k"] = options.k;
   json["lookup"] = options.lookup;
-  json["table_size"] = options.tableSize;
+  json["table_size"] = chosen.tableSize;
   json["table_format"] = options.tableFormat;
   json["repeat"] = options.repeat;
   json["renderer"] = device->renderer();
@@ -205,7 +205,7 @@ int main(int argc, char** argv) {
   app.add_option("--field", options.field, "a field of the mesh; default an expression");
   app.add_option("--tf", options.transferFunction, "transfer function")->capture_default_str();
   app.add_option("--lookup", options.lookup, "how a segment's colour is found")->capture_default_str();
-  app.add_option("--table", options.tableSize, "entries along each axis of the table")->capture_default_str();
+  app.add_option("--table", options.tableSize, "size of the table; default the lookup's own");
   app.add_option("--table-format", options.tableFormat, "numbers of the table")->capture_default_str();
   app.add_option("--size", options.size, "pixels along each side")->capture_default_str();
   app.add_option("--k", options.k, "entries of the k-buffer")->capture_default_str();

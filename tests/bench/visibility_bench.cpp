@@ -22,6 +22,7 @@ struct Options {
   std::string mesh = HAVS_MESHES "/cube.poly";
   std::string switches = "pqa1e-5";
   std::string field;
+  std::string lookup = Scene{}.lookup;
   std::vector<int> sizes{512, 1024};
   int repeat = 5;
 };
@@ -81,6 +82,7 @@ nlohmann::ordered_json measure(const Options& options) {
   }
   Scene scene;
   scene.field = options.field;
+  scene.lookup = options.lookup;
   StageTimes stages;
   const PreparedScene prepared = prepareScene(scene, std::move(mesh), stages);
   const auto device = makeDevice(scene.device);
@@ -117,6 +119,7 @@ int main(int argc, char** argv) {
   app.add_option("--mesh", options.mesh, "a mesh, or a surface for TetGen")->capture_default_str();
   app.add_option("--tetgen", options.switches, "TetGen's switches")->capture_default_str();
   app.add_option("--field", options.field, "a field of the mesh");
+  app.add_option("--lookup", options.lookup, "how a segment's colour is found")->capture_default_str();
   app.add_option("--size", options.sizes, "pixels along each side")->capture_default_str();
   app.add_option("--repeat", options.repeat, "counted pictures")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

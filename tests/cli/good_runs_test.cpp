@@ -48,10 +48,30 @@ TEST_F(Render, JsonHoldsEveryKey) {
 }
 
 TEST_F(Render, LookupsTakeTheirNumberAndKeepTheirName) {
-  for (const char* name : {"riemann:1", "riemann:256", "riemann-linear:7", "exact", "2d", "3d-normalised", "integral"}) {
+  for (const char* name :
+       {"riemann:1", "riemann:256", "riemann-linear:7", "exact", "2d", "3d-normalised", "integral"}) {
     const auto json = nlohmann::json::parse(render({"-o", "a.png", "--json", "--lookup", name}));
     EXPECT_EQ(json["settings"]["lookup"], name);
   }
+}
+
+/// The size that was used, asked for or not; none where there is no table.
+TEST_F(Render, JsonTellsTheTableOfEachLookup) {
+  const auto settingsOf = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "cube.node", "--size", "8x8", "--json"});
+    const Outcome run = runHavs(options, folder.path());
+    EXPECT_EQ(run.status, 0) << run.output;
+    return nlohmann::json::parse(run.output)["settings"];
+  };
+  EXPECT_EQ(settingsOf({})["lookup"], "3d-normalised");
+  EXPECT_EQ(settingsOf({})["table"], 64);
+  EXPECT_EQ(settingsOf({"--lookup", "3d"})["table"], 128);
+  EXPECT_EQ(settingsOf({"--lookup", "2d"})["table"], 512);
+  EXPECT_EQ(settingsOf({"--lookup", "2d", "--table", "9"})["table"], 9);
+  EXPECT_EQ(settingsOf({"--lookup", "exact"})["table"], nullptr);
+  EXPECT_EQ(settingsOf({"--paper"})["lookup"], "3d");
+  EXPECT_EQ(settingsOf({"--paper"})["table"], 128);
+  EXPECT_EQ(settingsOf({"--paper", "--table", "16"})["table"], 16);
 }
 
 TEST_F(Render, JsonTellsWhatWasDrawn) {

@@ -128,6 +128,7 @@ TEST_P(KBufferAgreement, SeamOfAnOGrid) {
 
 TEST_P(KBufferAgreement, PaperPresetIsNearTheFloatTable) {
   Scene scene = ballScene();
+  scene.lookup = "3d";
   const Image exact = draw(*device_, scene, smoothBall()).image;
   applyPaperPreset(scene);
   const Difference difference = between(draw(*device_, scene, smoothBall()).image, exact, 0.1);

@@ -55,7 +55,7 @@ Difference againstBox(const Drawing& drawing, double limit = kFloat) {
 /// three families each way.
 double tableBound(const Drawing& drawing, const Scene& scene) {
   const double kappa = kKappa * drawing.prepared.frame.radius;
-  const double step = drawing.prepared.longestEdge / (scene.tableSize - 1);
+  const double step = drawing.prepared.longestEdge / (tableSizeOf(scene) - 1);
   const double mostSegments = 3.0 * 6 * kBoxEdge;
   return kFloat + mostSegments * (kappa * step) * (kappa * step) / 8.0;
 }

@@ -30,7 +30,7 @@ class TwoWays {
         view_(viewOf(scene, prepared_)),
         plan_(plan(scene, prepared_.facts(), capabilitiesOf(device))) {}
   Pair draw() {
-    return {plan_.visibility.make(prepared_, plan_, stages_, {})->draw(view_, stages_),
+    return {plan_.visibility.gl.make(prepared_, plan_, stages_, {})->draw(view_, stages_),
             makeRenderer(prepared_, plan_, stages_)->draw(view_, stages_)};
   }
   const PreparedScene& prepared() const { return prepared_; }
@@ -177,7 +177,8 @@ TEST_P(VisiblePart, OfNothingIsAnEmptyPicture) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, VisiblePart, testing::Values("osmesa"), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Devices, VisiblePart, testing::Values("osmesa"),
+                         [](const auto& suiteInfo) { return suiteInfo.param; });
 
 }  // namespace
 }  // namespace havs::test

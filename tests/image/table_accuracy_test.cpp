@@ -4,6 +4,7 @@
 
 #include "image/against_reference.h"
 #include "reference/reference_renderer.h"
+#include "render/plan.h"
 #include "transfer/pieces.h"
 #include "transfer/preintegration.h"
 
@@ -54,9 +55,10 @@ class TableAccuracy : public AgainstReference {};
 TEST_P(TableAccuracy, IsThatOfTheTableReadInDouble) {
   Scene scene;
   scene.transferFunction = "viridis";
+  scene.lookup = "3d";
   scene.tableSize = 32;
   const Pair& pair = draw(scene);
-  const Comparison comparison = compareImages(pair.picture.image, drawnWithTable(pair, scene.tableSize), pair.mask);
+  const Comparison comparison = compareImages(pair.picture.image, drawnWithTable(pair, tableSizeOf(scene)), pair.mask);
   // Places in the table are rounded to some 2^-24 of its 32 entries, a segment's colour changes by at most 1 from entry
   // to entry, and of the segments that change so much a ray has few: 99.9% of the pixels stay below three of those.
   EXPECT_LE(comparison.rgba.p999, 6e-6);
@@ -67,6 +69,7 @@ TEST_P(TableAccuracy, IsThatOfTheTableReadInDouble) {
 TEST_P(TableAccuracy, IsOfSecondOrderInTheStep) {
   Scene scene;
   scene.transferFunction = "viridis";
+  scene.lookup = "3d";
   scene.tableSize = 17;
   const double coarse = draw(scene).comparison.rgba.rmse;
   scene.tableSize = 65;  // a quarter of the step

@@ -236,6 +236,7 @@ Json writeStudyFixture(const fs::path& folder) {
       axis("table-format", "Numbers of the table", {"rgba8", "rgba16", "rgba32f"}, "rgba32f", false),
       axis("early-termination", "Opacity at which a pixel is done (0: never)", {"0", "0.9", "0.99"}, "0", true),
       axis("size", "Pixels along the longer side", {"256", "512", "1024"}, "512", true)};
+  for (Json& one : study["axes"]) one["across"] = one["name"] == "table" ? Json("lookup") : Json();
   for (const Subject& subject : {Subject{"bracket-0", "bracket.vtu", 45, 0}, Subject{"fin-0", "fin.vtu", 130, 2}}) {
     const std::string reference = "images/" + subject.id + "-reference.png";
     writeImage(cloud(0, subject.hue), folder / reference);

@@ -7,6 +7,7 @@
 #include "mesh/vtk/grid_wire.h"
 #include "mesh/vtk/module_loader.h"
 #include "mesh/vtk/plot3d_names.h"
+#include "mesh/vtu/vtu_reader.h"
 
 namespace havs {
 namespace {
@@ -27,6 +28,11 @@ GridBlocks readGrids(const GridRequest& request) {
 
 TetMesh readWithVtk(const std::filesystem::path& file, const ReadOptions&) {
   return meshFromBlocks(readGrids({.file = file.string()}), file.string());
+}
+
+TetMesh readVtu(const std::filesystem::path& file, const ReadOptions& options) {
+  if (auto mesh = readPlainVtu(file)) return std::move(*mesh);
+  return readWithVtk(file, options);
 }
 
 TetMesh readPlot3d(const std::filesystem::path& file, const ReadOptions& options) {

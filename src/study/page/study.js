@@ -34,15 +34,17 @@ function valueOn(axis, run) {
 }
 
 // The runs of an axis in the order of its values. A way to draw that belongs to several axes is measured only once, as the
-// default is: so every run counts that differs from one of the axis in nothing else.
+// default is: so every run counts that differs from it in nothing else, and on an axis that is swept across another (the
+// table's size across the lookups) every run that differs from one of the axis in nothing else. What a value brings along
+// (each lookup the size of its own table) tells no series apart.
 function axisRuns(subject, axis) {
   const others = run => JSON.stringify({...run.settings, [axis.name.replaceAll("-", "_")]: null});
   const all = runsOf(subject);
   const own = all.filter(run => run.axis === axis.name);
   const baseline = all.find(run => run.kind === "baseline");
-  const series = new Set([...own, ...(own.length && baseline ? [baseline] : [])].map(others));
+  const series = new Set([...(axis.across ? own : []), ...(own.length && baseline ? [baseline] : [])].map(others));
   const borrowed = all.filter(run => run.axis !== axis.name && series.has(others(run)) && axis.values.includes(valueOn(axis, run)));
-  const isNew = run => !own.some(other => other.value === valueOn(axis, run) && others(other) === others(run));
+  const isNew = run => !own.some(other => other.value === valueOn(axis, run) && (!axis.across || others(other) === others(run)));
   const place = run => axis.values.includes(run.value) ? axis.values.indexOf(run.value) : axis.values.length;
   return [...own, ...borrowed.filter(isNew).map(run => ({...run, value: valueOn(axis, run)}))].sort((a, b) => place(a) - place(b));
 }

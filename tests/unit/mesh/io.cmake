@@ -2,7 +2,7 @@
 if(HAVS_WITH_VTK)
   find_package(VTK REQUIRED QUIET COMPONENTS CommonCore CommonDataModel IOExodus IOLegacy IOXML)
   havs_test(unit mesh_io_vtk
-    SOURCES io_vtk_test.cpp io_vtk_blocks_test.cpp
+    SOURCES io_vtk_test.cpp io_vtk_blocks_test.cpp vtu_reader_test.cpp
     LINK havs::mesh VTK::CommonCore VTK::CommonDataModel VTK::IOExodus VTK::IOLegacy VTK::IOXML)
   havs_test(unit mesh_io_files
     SOURCES io_bad_files_test.cpp io_ensight_test.cpp io_plot3d_test.cpp io_shared_data_test.cpp

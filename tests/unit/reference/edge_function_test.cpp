@@ -1,4 +1,4 @@
-#include "reference/edge_function.h"
+#include "raster/edge_function.h"
 
 #include <gtest/gtest.h>
 

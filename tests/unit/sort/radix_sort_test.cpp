@@ -1,4 +1,4 @@
-#include "sort/radix_sort.h"
+#include "mesh/radix_sort.h"
 
 #include <gtest/gtest.h>
 

@@ -137,10 +137,27 @@ TEST(SettingsKey, LeavesOutWhatHasNoEffect) {
   EXPECT_NE(settingsKey(a), settingsKey(b));
 }
 
+/// A size that is asked for is the same as the lookup's own where both are equal, and a lookup without it has its own.
+TEST(SettingsKey, KnowsTheSizeOfATableThatWasNotAskedFor) {
+  for (const Lookup& row : lookups()) {
+    const LookupResource* table = tableOf(row);
+    if (table == nullptr) continue;
+    Scene own, asked;
+    own.lookup = asked.lookup = row.name;
+    asked.tableSize = table->ownSize;
+    EXPECT_EQ(settingsKey(own), settingsKey(asked)) << row.name;
+    asked.tableSize = table->ownSize + 1;
+    EXPECT_NE(settingsKey(own), settingsKey(asked)) << row.name;
+  }
+}
+
 TEST(SettingsLabel, NamesWhatHasAnEffect) {
   Scene scene;
   scene.k = 2;
-  EXPECT_THAT(settingsLabel(scene), testing::StartsWith("kbuffer k 2, topological, 3d 128^3 rgba32f"));
+  EXPECT_THAT(settingsLabel(scene), testing::StartsWith("kbuffer k 2, topological, 3d-normalised 64^3 rgba32f"));
+  scene.lookup = "2d";
+  scene.tableSize = 32;
+  EXPECT_THAT(settingsLabel(scene), testing::StartsWith("kbuffer k 2, topological, 2d 32^2 rgba32f"));
   scene.lookup = "post";
   scene.earlyTermination = 0.99;
   EXPECT_THAT(settingsLabel(scene), testing::StartsWith("kbuffer k 2, topological, post"));

@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "render/plan.h"
 #include "study/sweep_plan.h"
 
 namespace havs {
@@ -19,7 +21,8 @@ class MadeStudy : public testing::Test {
     const std::vector<std::string> axisTexts{"k=1,6", "table=16,32,64,128"};
     report.axes = chooseAxes(axisTexts, false);
     report.command = "havs study \"a\".vtu";
-    plan = planSweep("a-0", Scene{}, report.axes);
+    report.baseline.lookup = "3d";
+    plan = planSweep("a-0", report.baseline, report.axes);
     records.subjects = report.subjects = {
         {"a-0", "a.vtu", "abcd", 4, 1, 4, "density", "viridis", R"({"eye":[0,0,1]})", 1024, 1024, 7}};
     records.references = report.references = {{"a-0", 1024, 1024, "images/r.png", 12.5, 25}};
@@ -34,7 +37,7 @@ class MadeStudy : public testing::Test {
     if (round > 0) return record;
     record.tableMs = 100;
     record.quality = Quality{};
-    const double error = 1.0 / (run.scene.tableSize * run.scene.tableSize);
+    const double error = std::pow(tableSizeOf(run.scene), -2.0);
     record.quality->error = {error, 2 * error, 3 * error, 40, 1};
     return record;
   }

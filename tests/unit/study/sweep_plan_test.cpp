@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <optional>
 #include <set>
 
 #include "render/lookups.h"
+#include "render/plan.h"
 
 namespace havs {
 namespace {
@@ -40,6 +43,8 @@ TEST(PlanSweep, BeginsWithTheBaselineAndHasThePapersChoice) {
   EXPECT_EQ(plan.runs[0].kind, RunKind::baseline);
   EXPECT_EQ(plan.runs[0].scene.k, 4);
   EXPECT_EQ(plan.runs[1].kind, RunKind::paper);
+  EXPECT_EQ(plan.runs[1].scene.lookup, "3d");  // whatever the defaults
+  EXPECT_EQ(tableSizeOf(plan.runs[1].scene), 128);
   EXPECT_EQ(plan.runs[1].scene.tableFormat, "rgba8");
   EXPECT_EQ(plan.runs[1].scene.sort, "centroid");
 }
@@ -62,16 +67,30 @@ TEST(PlanSweep, MovesOneAxisAtATime) {
 
 TEST(PlanSweep, SweepsTheTableOfEachLookupThatHasOne) {
   const SweepPlan plan = planSweep("a-0", Scene{}, choose({"table=16,128", "lookup"}));
-  std::set<std::string> swept;
-  for (const PlannedRun& run : plan.runs) {
-    if (run.axis != "table") continue;
-    EXPECT_EQ(run.scene.tableSize, 16) << run.id;  // 128 with each lookup is a run of the axis lookup
-    swept.insert(run.scene.lookup);
-  }
+  std::map<std::string, std::set<int>> swept;
+  for (const PlannedRun& run : plan.runs)
+    if (run.axis == "table" && !swept[run.scene.lookup].insert(tableSizeOf(run.scene)).second)
+      ADD_FAILURE() << run.id << " is drawn twice";
   for (const Lookup& row : lookups()) {
-    Scene scene;
-    scene.lookup = exampleName(row);
-    EXPECT_EQ(swept.contains(scene.lookup), axis("table").applies(scene)) << row.name;
+    std::set<int> sizes;
+    if (const LookupResource* table = tableOf(row)) {
+      sizes = {16, 128};
+      sizes.erase(table->ownSize);  // a run of the axis lookup, or the baseline
+    }
+    EXPECT_EQ(swept[exampleName(row)], sizes) << row.name;
+  }
+}
+
+/// --table holds for every lookup; without it each has its own size.
+TEST(PlanSweep, GivesEachLookupTheTableAskedForOrItsOwn) {
+  for (const std::optional<int> asked : {std::optional<int>{}, std::optional<int>{24}}) {
+    Scene baseline;
+    baseline.tableSize = asked;
+    for (const PlannedRun& run : planSweep("a-0", baseline, choose({"lookup"})).runs) {
+      const LookupResource* table = tableOf(lookup(run.scene.lookup));
+      if (table == nullptr || run.kind == RunKind::paper) continue;
+      EXPECT_EQ(tableSizeOf(run.scene), asked.value_or(table->ownSize)) << run.id;
+    }
   }
 }
 
@@ -91,11 +110,16 @@ std::map<std::string, CostError> measure(const SweepPlan& plan, CostError (*of)(
 }
 
 /// k costs time only; a small table costs accuracy only.
-CostError madeUp(const Scene& scene) { return {scene.k * 1.0, scene.tableSize < 128 ? 1.0 / scene.tableSize : 1e-3}; }
+CostError madeUp(const Scene& scene) {
+  const int size = tableSizeOf(scene);
+  return {scene.k * 1.0, size < 128 ? 1.0 / size : 1e-3};
+}
 
 TEST(PlanCombinations, CombinesWhatIsNotDominated) {
   const auto choices = choose({"k=1,2,6,14", "table=16,128,256"});
-  const SweepPlan plan = planSweep("a-0", Scene{}, choices);
+  Scene baseline;
+  baseline.tableSize = 128;
+  const SweepPlan plan = planSweep("a-0", baseline, choices);
   // k 1 dominates the other k; of the tables, all that cost the same and err less than the others.
   const auto runs = planCombinations(plan, choices, measure(plan, madeUp), 10);
   EXPECT_THAT(idsOf(runs), UnorderedElementsAre("a-0/k=1,table=256"));
@@ -108,7 +132,7 @@ TEST(PlanCombinations, KeepsToItsNumberAndToNewSettings) {
   const auto choices = choose({"k=1,2,3,6,14", "table=8,16,32,64", "early-termination", "sort", "size=64,512"});
   const SweepPlan plan = planSweep("a-0", Scene{}, choices);
   const auto everyValueIsGood = [](const Scene& s) {
-    const double cost = s.k + 0.01 * s.tableSize - 2 * s.earlyTermination + (s.sort == "none" ? -1 : 0);
+    const double cost = s.k + 0.01 * tableSizeOf(s) - 2 * s.earlyTermination + (s.sort == "none" ? -1 : 0);
     return CostError{20 + cost, 0.01 * (20 - cost)};
   };
   const auto measured = measure(plan, everyValueIsGood);

@@ -1,4 +1,4 @@
-#include "reference/screen_points.h"
+#include "raster/screen_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 // its sign says on which side the ray passes, whether the ends lie before or behind the eye. The products of the three
 // edges of a face are the weights, up to a common factor, with which its corners make up the point where the ray meets
 // its plane. Doubles decide the sign where their rounding cannot matter, exact sums elsewhere.
-#include "reference/screen_points.h"
+#include "raster/screen_points.h"
 
 namespace havs {
 

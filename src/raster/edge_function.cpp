@@ -1,8 +1,8 @@
-#include "reference/edge_function.h"
+#include "raster/edge_function.h"
 
 #include <cmath>
 
-#include "reference/exact_sum.h"
+#include "raster/exact_sum.h"
 
 namespace havs {
 namespace {

@@ -1,7 +1,7 @@
 // Parallel LSD radix sort: the input is cut into blocks; for each digit every block counts its digits, a running sum
 // over (digit, block) gives each block the place of its first item of each digit, and the blocks move their items
 // there. Stable, so the result does not depend on how the input was cut.
-#include "sort/radix_sort.h"
+#include "mesh/radix_sort.h"
 
 #include <algorithm>
 

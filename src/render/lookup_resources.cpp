@@ -1,0 +1,109 @@
+#include "render/lookup_resources.h"
+
+#include "core/parallel.h"
+#include "transfer/mean_tables.h"
+#include "transfer/packed_curve.h"
+#include "transfer/preintegration.h"
+
+namespace havs {
+namespace {
+
+/// Texels of four numbers, read by their number.
+ResourceTable texels(const std::vector<std::array<float, 4>>& list) {
+  ResourceTable table{{static_cast<int>(list.size())}, 4, {}};
+  table.values.reserve(4 * list.size());
+  for (const auto& texel : list) table.values.insert(table.values.end(), texel.begin(), texel.end());
+  return table;
+}
+
+/// Numbers, read by their number.
+ResourceTable numbers(std::vector<float> list) {
+  const int count = static_cast<int>(list.size());
+  return {{count}, 1, std::move(list)};
+}
+
+/// A table to be filtered, its numbers as the plan's format holds them.
+ResourceTable filtered(std::vector<int> sizes, std::vector<float> rgba, const TableFormat& format) {
+  if (format.rounded) parallelFor(0, rgba.size(), 1 << 16, [&](std::size_t i) { rgba[i] = format.rounded(rgba[i]); });
+  return {std::move(sizes), 4, std::move(rgba)};
+}
+
+ResourceData table3d(Table3d table, const TableFormat& format) {
+  ResourceData made;
+  made.tables["table3d"] = filtered({table.size, table.size, table.lengths}, std::move(table.rgba), format);
+  made.numbers["lengthScale"] = static_cast<float>(1.0 / table.maximumLength);
+  return made;
+}
+
+}  // namespace
+
+std::vector<ResourceData> makeResources(const PreparedScene& prepared, const RenderPlan& plan,
+                                        const Progress& progress) {
+  const ExtinctionCurve seen = withoutOpaque(prepared.curve);
+  std::vector<ResourceData> made;
+  for (const LookupResource& resource : plan.resources) made.push_back(resource.make({prepared, seen, plan, progress}));
+  return made;
+}
+
+double meanSegmentLength(const PreparedScene& prepared) {
+  double volumes = 0, surfaces = 0;
+  for (const Tetrahedron& cell : prepared.mesh.tetrahedra) {
+    std::array<Vec3, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = prepared.points[cell[i]];
+    volumes += std::abs(dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0])) / 6;
+    for (std::size_t i = 0; i < 4; ++i) surfaces += length(cross(p[(i + 1) % 4] - p[i], p[(i + 2) % 4] - p[i])) / 2;
+  }
+  const double mean = 4 * volumes / surfaces;
+  return mean > 0 ? mean : prepared.longestEdge;
+}
+
+ResourceData makeCurve(const ResourceInput& input) {
+  const PackedCurve<float> packed = packCurve<float>(withSurfaceColors(input.prepared.curve));
+  ResourceData made;
+  made.tables["curvePieces"] = texels(packed.pieces);
+  made.tables["curveGuide"] = numbers(packed.guide);
+  made.numbers["guideCells"] = static_cast<float>(packed.guide.size());
+  return made;
+}
+
+ResourceData makeIntegrals(const ResourceInput& input) {
+  ResourceData made;
+  made.tables["curveIntegrals"] = texels(packCurve<float>(withSurfaceColors(input.prepared.curve)).integrals);
+  return made;
+}
+
+ResourceData makeOpaqueIntervals(const ResourceInput& input) {
+  const auto& opaque = input.prepared.curve.opaque;
+  std::vector<float> ends;
+  for (const auto& [low, high] : opaque) {
+    ends.push_back(static_cast<float>(low));
+    ends.push_back(static_cast<float>(high));
+  }
+  ResourceData made;
+  made.tables["opaqueIntervals"] = numbers(std::move(ends));
+  made.numbers["opaqueCount"] = static_cast<float>(opaque.size());
+  return made;
+}
+
+ResourceData makeTable2d(const ResourceInput& input) {
+  MeanTable2d table = buildMeanTable2d(input.seen, input.plan.tableSize, meanSegmentLength(input.prepared));
+  // Extinction is scaled to [0, 1], for formats that hold no more.
+  const float most = static_cast<float>(input.seen.maximumKappa);
+  for (std::size_t i = 3; most > 0 && i < table.rgba.size(); i += 4) table.rgba[i] /= most;
+  ResourceData made;
+  made.tables["table2d"] = filtered({table.size, table.size}, std::move(table.rgba), input.plan.tableFormat);
+  made.numbers["mostExtinction"] = most;
+  return made;
+}
+
+ResourceData makeTable3d(const ResourceInput& input) {
+  return table3d(buildTable3d(input.seen, input.plan.tableSize, input.prepared.longestEdge, input.progress),
+                 input.plan.tableFormat);
+}
+
+ResourceData makeMeanColorTable(const ResourceInput& input) {
+  return table3d(buildMeanColors(input.seen, input.plan.tableSize, input.prepared.longestEdge, input.progress),
+                 input.plan.tableFormat);
+}
+
+}  // namespace havs

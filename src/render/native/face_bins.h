@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/faces.h"
+#include "render/native/tile_draw.h"
+
+namespace havs {
+
+/// The tiles of a picture, all of one size but for those at its right and lower edge.
+struct TileGrid {
+  int side = 64;  ///< pixels, a multiple of kStampSide
+  int across = 0, down = 0;
+  std::size_t count() const { return static_cast<std::size_t>(across) * static_cast<std::size_t>(down); }
+};
+TileGrid tileGrid(int width, int height, int side);
+
+/// Which faces each tile draws, near first: a counting sort of (tile, face) pairs, in parallel, that keeps the order.
+class FaceBins {
+ public:
+  /// Finds the tiles that each face may cover: those with a pixel centre in its bounding box.
+  void findTiles(const RasterMesh& mesh, std::size_t faceCount, const TileGrid& grid);
+
+  /// Counts the pairs for `order`, which must stay as it is until the last list is filled.
+  void count(std::span<const Index> order, const Faces& faces);
+  /// Fills the lists of tiles from `firstTile` on, as many as fit into `mostPairs` pairs, one at least; returns the
+  /// first that is not filled.
+  std::size_t fill(std::size_t firstTile, std::size_t mostPairs);
+  /// Of a tile that the last call of fill has filled. Faces on the boundary have kBoundaryBit.
+  std::span<const std::uint32_t> facesOf(std::size_t tile) const;
+  std::size_t pairs() const { return pairs_; }
+
+ private:
+  struct TileBox {
+    std::uint16_t left, top, right, bottom;  ///< both ends included; left > right: none
+  };
+  template <class Visit>
+  void visitTiles(Index face, std::size_t firstTile, std::size_t lastTile, const Visit& visit) const;
+
+  TileGrid grid_;
+  std::vector<TileBox> boxes_;
+  std::span<const Index> order_;
+  const Faces* faces_ = nullptr;
+  std::size_t blocks_ = 0;               ///< of the order, each binned by one thread
+  std::vector<std::uint32_t> counts_;    ///< of each block and tile: block * tiles + tile
+  std::vector<std::size_t> ofTile_;      ///< pairs of each tile
+  std::size_t pairs_ = 0;
+  std::size_t firstTile_ = 0, lastTile_ = 0;  ///< that are filled
+  std::vector<std::size_t> begins_;           ///< of the filled tiles' lists, and the end
+  std::vector<std::uint32_t> lists_;
+};
+
+}  // namespace havs

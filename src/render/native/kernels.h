@@ -1,0 +1,34 @@
+#pragma once
+// What is compiled for each instruction set.
+#include <string>
+
+#include "render/lookups.h"
+
+namespace havs {
+
+struct TileDraw;
+struct SegmentQueue;
+struct LookupData;
+
+/// Draws a tile's faces through its k-buffer, the flush at the end included (render/native/tile_draw.h).
+using TileKernel = void (*)(TileDraw& tile);
+/// Writes the colours of a queue's segments (render/native/segment_shader.h).
+using SegmentKernel = void (*)(const LookupData& data, SegmentQueue& queue);
+
+struct NamedSegmentKernel {
+  const char* shader;  ///< Lookup::shader of its lookup
+  SegmentKernel kernel;
+};
+
+struct KernelSet {
+  /// k from 1 to kLargestK.
+  TileKernel (*tileKernel)(int k, Payload carries);
+  /// A k-buffer that flags pixels instead of dropping fragments: where a fragment comes nearer than the nearest of its
+  /// pixel's entries after one has left. All other pixels have left in the order of their distances, and are, to the
+  /// last bit, what every larger k gives.
+  TileKernel (*speculativeTileKernel)(int k, Payload carries);
+  /// Of every lookup; ends with a null shader.
+  const NamedSegmentKernel* segmentKernels;
+};
+
+}  // namespace havs

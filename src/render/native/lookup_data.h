@@ -1,0 +1,31 @@
+#pragma once
+// What lookups read besides the segments, as the kernels of the native device see it: plain pointers, as these are
+// compiled for other instruction sets than the code that makes it.
+#include <cstdint>
+
+namespace havs {
+
+/// A number for the name of a uniform in shaders/ (FNV-1a, 64 bits).
+constexpr std::uint64_t nameKey(const char* name) {
+  std::uint64_t key = 0xcbf29ce484222325u;
+  for (; *name != '\0'; ++name) key = (key ^ static_cast<std::uint64_t>(*name)) * 0x100000001b3u;
+  return key;
+}
+
+struct LookupData {
+  /// A uniform of the shaders: a table or a number.
+  struct Uniform {
+    std::uint64_t key = 0;          ///< nameKey of its name
+    const float* values = nullptr;  ///< of a table, first axis fastest; 4 numbers an entry where it is filtered
+    std::int32_t size[3]{};         ///< entries along its axes
+    float number = 0;
+  };
+  static constexpr int kMostUniforms = 24;
+  Uniform uniforms[kMostUniforms];
+  int count = 0;
+  int lookupNumber = 0;  ///< Lookup::number
+  bool cellData = false;
+  bool opaqueSurfaces = false;
+};
+
+}  // namespace havs

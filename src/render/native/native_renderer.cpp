@@ -1,0 +1,155 @@
+// The k-buffer without OpenGL: the mesh's points go into the picture, the faces into order and into lists of the tiles
+// that they cover, and threads draw tile after tile, each in its own cache.
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_invoke.h>
+
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "render/make_renderer.h"
+#include "render/native/kernels.h"
+#include "render/native/renderers.h"
+#include "render/native/tile_worker.h"
+#include "render/scene_sorter.h"
+
+namespace havs {
+namespace {
+
+constexpr int kTileSide = 64;
+/// (Tile, face) pairs that are kept at once, 4 bytes each: many more than faces only where faces cover many tiles.
+constexpr std::size_t kMostPairs = std::size_t{1} << 25;
+/// Largest k of the kernels that flag pixels instead of dropping fragments: most orders need no more.
+constexpr int kSpeculativeK = 2;
+
+static_assert(sizeof(std::array<Index, 3>) == sizeof(std::uint32_t[3]));
+
+class NativeKBufferRenderer final : public Renderer {
+ public:
+  NativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                        const Progress& progress)
+      : prepared_(prepared),
+        plan_(plan),
+        sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::asInWhole)) {
+    const InstructionSet& instructions = instructionSet(plan.instructionSet);
+    {
+      const ScopedStage timer(stages, "table");
+      shader_.emplace(prepared, plan, instructions, progress);
+    }
+    const KernelSet& kernels = instructions.kernels();
+    setting_.kernel = kernels.tileKernel(plan.k, plan.lookup.carries);
+    // With early termination, which fragments a pixel still looks at depends on k.
+    const bool countsMustBeOfK = plan.certificate && plan.earlyTermination > 0;
+    if (plan.k > kSpeculativeK && !countsMustBeOfK)
+      setting_.speculative = kernels.speculativeTileKernel(kSpeculativeK, plan.lookup.carries);
+    setting_.k = plan.k;
+    setting_.attributes = plan.lookup.carries == Payload::color ? 4 : 1;
+    setting_.certificate = plan.certificate;
+    setting_.compositeLate = plan.compositeLate;
+    if (plan.earlyTermination > 0) setting_.terminalOpacity = static_cast<float>(plan.earlyTermination);
+    setting_.shader = &*shader_;
+    prepareMesh();
+  }
+
+  Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
+    mesh_.width = view.width;
+    mesh_.height = view.height;
+    const TileGrid grid = tileGrid(view.width, view.height, kTileSide);
+    {
+      const ScopedStage timer(stages, "order");
+      tbb::parallel_invoke([&] { sorter_->sort(viewPointOf(view), order_); },
+                           [&] {
+                             placePoints(view);
+                             bins_.findTiles(mesh_, prepared_.faces.size(), grid);
+                           });
+    }
+    Drawing drawing;
+    drawing.image.width = view.width;
+    drawing.image.height = view.height;
+    drawing.image.rgba.assign(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height), 0.0f);
+    if (plan_.certificate) drawing.certificate.emplace().count.assign(drawing.image.rgba.size() / 4, 0);
+    {
+      const ScopedStage timer(stages, "upload");
+      bins_.count(order_.faces, prepared_.faces);
+    }
+    const ScopedStage timer(stages, "draw");
+    drawTiles(view, grid, drawing, progress);
+    drawing.cycles = order_.cycles;
+    drawing.tiles = grid.count();
+    return drawing;
+  }
+
+ private:
+  void prepareMesh() {
+    mesh_.faces = reinterpret_cast<const std::uint32_t(*)[3]>(prepared_.faces.vertices.data());
+    mesh_.cellData = prepared_.facts().cellData;
+  }
+
+  void placePoints(const View& view) {
+    points_.resize(prepared_.points.size());
+    const std::vector<ScreenPoint> placed = screenPoints(prepared_.points, view);
+    parallelFor(0, points_.size(), 8192, [&](std::size_t i) {
+      static_cast<ScreenPoint&>(points_[i]) = placed[i];
+      points_[i].column = placed[i].x / placed[i].w;
+      points_[i].row = placed[i].y / placed[i].w;
+      points_[i].scalar = mesh_.cellData ? 0.0 : prepared_.scalars[i];
+    });
+    mesh_.points = points_.data();
+  }
+
+  void drawTiles(const View& view, const TileGrid& grid, Drawing& drawing, const Progress&) {
+    tbb::enumerable_thread_specific<TileWorker> workers([&] { return TileWorker(mesh_, view, grid, setting_); });
+    for (std::size_t first = 0; first < grid.count();) {
+      const std::size_t last = bins_.fill(first, kMostPairs);
+      parallelFor(first, last, 1, [&](std::size_t tile) { workers.local().draw(tile, bins_.facesOf(tile), drawing); });
+      first = last;
+    }
+    std::uint64_t fragments = 0, redrawn = 0;
+    for (const TileWorker& worker : workers) {
+      fragments += worker.fragments();
+      redrawn += worker.redrawnPixels();
+    }
+    drawing.fragments = fragments;
+    if (getenv("HAVS_STAT")) fprintf(stderr, "fragments %zu redrawn %zu\n", size_t(fragments), size_t(redrawn));
+    if (drawing.certificate) {
+      drawing.certificate->fragments = fragments;
+      for (const std::uint32_t late : drawing.certificate->count) {
+        drawing.certificate->misordered += late;
+        drawing.certificate->pixels += late > 0 ? 1 : 0;
+      }
+    }
+  }
+
+  const PreparedScene& prepared_;
+  RenderPlan plan_;
+  std::unique_ptr<FaceSorter> sorter_;
+  std::optional<SegmentShader> shader_;
+  TileSetting setting_;
+  RasterMesh mesh_{};
+  std::vector<RasterPoint> points_;
+  FaceOrder order_;
+  FaceBins bins_;
+};
+
+}  // namespace
+
+void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities&) {
+  if (scene.targetFormat != "32f")
+    failInput("the native device keeps its k-buffer in 32-bit numbers", "--target-format",
+              "leave it out, or draw on another device");
+  plan.k = scene.k;
+  plan.targetFormat = targetFormat(scene.targetFormat);
+  const int attributes = plan.lookup.carries == Payload::color ? 4 : 1;
+  plan.bytesPerPixel = 4 * (4 + 1 + 2 + plan.k * (2 + attributes)) + (plan.certificate ? 4 : 0);
+  plan.tileWidth = std::min(scene.width, kTileSide);
+  plan.tileHeight = std::min(scene.height, kTileSide);
+}
+
+std::unique_ptr<Renderer> makeNativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan,
+                                                    StageTimes& stages, const Progress& progress) {
+  return std::make_unique<NativeKBufferRenderer>(prepared, plan, stages, progress);
+}
+
+}  // namespace havs

@@ -1,0 +1,101 @@
+// The colours of a queue's segments: shaders/segment_color.glsl, with one file of shaders/lookup, as C++ over SIMD
+// lanes. CMake compiles it once for each lookup (HAVS_LOOKUP_NAME; its file is "lookup.glsl") and instruction set.
+// The words of the shaders are spelled as in shaders/core/language.glsl; uniforms are members of the class that they
+// are included into, set by their names.
+#include "render/native/segment_kernels.h"
+#include "render/native/segment_queue.h"
+#include "render/native/table_fetch.h"
+
+#define FUNCTION static inline
+#define INOUT(T) T&
+#define OUT(T) T&
+#define CONSTANT static constexpr
+#define PRECISE
+#define TABLE_FUNCTION
+#define TABLES
+#define WITH_TABLES
+#define TABLE(fetch) fetch
+#define UNIFORM(T, name) const T name = uniform<T>(data, nameKey(#name))
+#define HAVS_OPAQUE_SURFACES
+
+namespace havs {
+namespace {
+
+using Lanes = SimdLanes;
+
+template <class T>
+T uniform(const LookupData& data, std::uint64_t key) {
+  for (int i = 0; i < data.count; ++i)
+    if (data.uniforms[i].key == key) {
+      if constexpr (std::is_arithmetic_v<T>) {
+        return static_cast<T>(data.uniforms[i].number);
+      } else {
+        return T{data.uniforms[i]};
+      }
+    }
+  return T{};
+}
+
+struct Shading {
+  using Real = Lanes::Real;
+  using Mask = Lanes::Mask;
+  using Int = Lanes::Int;
+  using Scalar = float;
+  using Rgba = RgbaLanes;
+  static constexpr bool kDouble = false;
+  static Real select(Mask condition, Real yes, Real no) { return Lanes::select(condition, yes, no); }
+  static Real exp2Integral(Real n) { return Lanes::exp2Integral(n); }
+  static Real roundToIntegral(Real x) { return Lanes::roundToIntegral(x); }
+  static Real squareRoot(Real x) { return Lanes::squareRoot(x); }
+  static Real absolute(Real x) { return Lanes::absolute(x); }
+  static bool anyLane(Mask mask) { return Lanes::anyLane(mask); }
+  static Int toInt(Real x) { return Lanes::toInt(x); }
+
+  struct Payload {
+    Rgba color;
+  };
+  static Rgba colorOf(const Payload& payload) { return payload.color; }
+
+  const LookupData& data;
+  const int lookupNumber = data.lookupNumber;
+  const bool cellData = data.cellData;
+  const bool opaqueSurfaces = data.opaqueSurfaces;
+
+#include "core/segment.glsl"
+// what uses it
+#include "segment_color.glsl"
+};
+
+Shading::Segment segmentAt(const SegmentQueue& queue, std::size_t i) {
+  const auto color = [i](const auto& channels) {
+    return Shading::Payload{{Lanes::load(channels[0].data() + i), Lanes::load(channels[1].data() + i),
+                             Lanes::load(channels[2].data() + i), Lanes::load(channels[3].data() + i)}};
+  };
+  Shading::Segment segment;
+  segment.front = color(queue.front);
+  segment.back = color(queue.back);
+  segment.scalarFront = Lanes::load(queue.scalarFront.data() + i);
+  segment.scalarBack = Lanes::load(queue.scalarBack.data() + i);
+  segment.length = Lanes::load(queue.length.data() + i);
+  segment.visible = segment.length >= Shading::Real(0.0f);
+  return segment;
+}
+
+/// Lanes behind the last segment are segments, too: of no length.
+void fillLastLanes(SegmentQueue& queue) {
+  for (std::size_t i = queue.count; i < queue.count + Lanes::kLanes - 1; ++i) {
+    queue.scalarFront[i] = queue.scalarBack[i] = queue.length[i] = 0;
+    for (std::size_t c = 0; c < 4; ++c) queue.front[c][i] = queue.back[c][i] = 0;
+  }
+}
+
+}  // namespace
+
+void HAVS_SEGMENT_KERNEL(HAVS_LOOKUP_NAME)(const LookupData& data, SegmentQueue& queue) {
+  Shading shading{data};
+  fillLastLanes(queue);
+  for (std::size_t i = 0; i < queue.count; i += Lanes::kLanes)
+    storeRgba(queue.rgba.data() + 4 * i, shading.segmentColor(segmentAt(queue, i)));
+}
+
+}  // namespace havs

@@ -1,0 +1,423 @@
+#pragma once
+// The k-buffer of a tile on SIMD lanes. Faces come near first; each is cut into stamps of 4 x 4 pixels. A stamp's
+// fragments go through the arithmetic of shaders/core/kbuffer.glsl, and what leaves as visible segments goes into a
+// queue, full lanes of which are coloured later; compositing keeps the order of each pixel.
+//
+// Which pixels a face covers is exact: where the edge functions in float come too near to zero for their sign to be
+// sure, the exact rule (raster/face_hit.h) decides.
+#include <algorithm>
+#include <bit>
+
+#include "core/arithmetic.h"
+#include "raster/face_hit.h"
+#include "render/native/face_batch.h"
+#include "render/native/simd.h"
+
+namespace havs {
+namespace {
+
+constexpr unsigned kAllLanes = 0xFFFFu;
+/// Of each lane in its stamp.
+alignas(64) constexpr float kLaneX[kStampPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr float kLaneY[kStampPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+template <int kAttributes, class Lanes>
+struct PayloadFor;
+template <class Lanes>
+struct PayloadFor<1, Lanes> {
+  template <class L>
+  using Type = ScalarPayload<L>;
+};
+template <class Lanes>
+struct PayloadFor<4, Lanes> {
+  template <class L>
+  using Type = ColorPayload<L>;
+};
+
+template <class Lanes, int K, int kAttributes, bool kSpeculative>
+class TileDrawer {
+  using A = Arithmetic<Lanes, K, PayloadFor<kAttributes, Lanes>::template Type>;
+  using Real = typename Lanes::Real;
+  using Mask = typename Lanes::Mask;
+  using Batch = FaceBatch<kAttributes>;
+  static constexpr int kLanes = static_cast<int>(Lanes::kLanes);
+  static constexpr int kGroups = kStampPixels / kLanes;  ///< a stamp is drawn in so many groups of lanes
+  static constexpr unsigned kGroupBits = kAllLanes >> (kStampPixels - kLanes);
+  static constexpr int kStateNumbers = 2 + K * (2 + kAttributes);
+
+ public:
+  explicit TileDrawer(TileDraw& tile) : tile_(tile), queue_(*tile.queue) {}
+
+  void draw() {
+    begin();
+    for (std::size_t i = 0; i < tile_.faceCount && tile_.activePixels > 0; i += kBatch) {
+      fetchAhead(i);
+      drawBatch(tile_.faces + i, static_cast<int>(std::min<std::size_t>(kBatch, tile_.faceCount - i)));
+    }
+    finish();
+  }
+
+ private:
+  /// Faces and their corners lie anywhere in memory: faces are fetched two batches ahead, corners one.
+  void fetchAhead(std::size_t i) const {
+    for (std::size_t f = i + 2 * kBatch; f < std::min(i + 3 * kBatch, tile_.faceCount); ++f)
+      __builtin_prefetch(tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit]);
+    for (std::size_t f = i + kBatch; f < std::min(i + 2 * kBatch, tile_.faceCount); ++f)
+      for (const std::uint32_t corner : tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit])
+        __builtin_prefetch(tile_.mesh.points + corner);
+  }
+
+  float* stateOf(int stamp) const {
+    return tile_.state + static_cast<std::size_t>(stamp) * kStateNumbers * kStampPixels;
+  }
+  int stamps() const { return tile_.stampsAcross * tile_.stampsDown; }
+
+  // ------------------------------------------------------------------------------------------ the pixel's state
+  static typename A::Fragment loadEntry(const float* at) {
+    typename A::Fragment f;
+    f.distance = Lanes::load(at);
+    f.payload.kind = Lanes::load(at + kStampPixels);
+    if constexpr (kAttributes == 1) {
+      f.payload.scalar = Lanes::load(at + 2 * kStampPixels);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) f.payload.color[i] = Lanes::load(at + (2 + i) * kStampPixels);
+    }
+    return f;
+  }
+  static void storeEntry(float* at, const typename A::Fragment& f) {
+    Lanes::store(at, f.distance);
+    Lanes::store(at + kStampPixels, f.payload.kind);
+    if constexpr (kAttributes == 1) {
+      Lanes::store(at + 2 * kStampPixels, f.payload.scalar);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) Lanes::store(at + (2 + i) * kStampPixels, f.payload.color[i]);
+    }
+  }
+  static constexpr int kEntryNumbers = (2 + kAttributes) * kStampPixels;
+  static constexpr int kFirstEntry = 2 * kStampPixels;
+  static typename A::KBuffer loadEntries(const float* state) {
+    typename A::KBuffer kbuffer;
+    for (int i = 0; i < K; ++i) kbuffer.entry[i] = loadEntry(state + kFirstEntry + i * kEntryNumbers);
+    return kbuffer;
+  }
+  static typename A::PixelState loadPixel(const float* state) {
+    typename A::PixelState pixel;
+    pixel.inside = Lanes::load(state);
+    pixel.started = Lanes::load(state + kStampPixels);
+    return pixel;
+  }
+  static void storePixel(float* state, const typename A::PixelState& pixel) {
+    Lanes::store(state, pixel.inside);
+    Lanes::store(state + kStampPixels, pixel.started);
+  }
+
+  void begin() {
+    const typename A::Fragment empty = A::emptyFragment();
+    for (int stamp = 0; stamp < stamps(); ++stamp) {
+      if (tile_.active[stamp] == 0) continue;
+      for (int group = 0; group < kGroups; ++group) {
+        float* state = stateOf(stamp) + group * kLanes;
+        storePixel(state, {Real(0.0f), Real(0.0f)});
+        for (int i = 0; i < K; ++i) storeEntry(state + kFirstEntry + i * kEntryNumbers, empty);
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------ segments
+  void queueSegment(const typename A::Segment& segment, Mask mask, unsigned bits, int firstPixel) {
+    const std::size_t at = queue_.count;
+    if constexpr (kAttributes == 1) {
+      Lanes::compress(&queue_.scalarFront[at], segment.scalarFront, mask, bits);
+      Lanes::compress(&queue_.scalarBack[at], segment.scalarBack, mask, bits);
+    } else {
+      for (int i = 0; i < 4; ++i) {
+        Lanes::compress(&queue_.front[i][at], segment.front.color[i], mask, bits);
+        Lanes::compress(&queue_.back[i][at], segment.back.color[i], mask, bits);
+      }
+    }
+    Lanes::compress(&queue_.length[at], segment.length, mask, bits);
+    std::int32_t* pixel = &queue_.pixel[at];
+    for (unsigned left = bits; left != 0; left &= left - 1) *pixel++ = firstPixel + std::countr_zero(left);
+    queue_.count = at + static_cast<std::size_t>(std::popcount(bits));
+    if (queue_.count + kStampPixels > SegmentQueue::kCapacity || tile_.flushAlways) tile_.flush(tile_);
+  }
+
+  /// The visible ones of `bits`.
+  void takeSegment(const typename A::Segment& segment, unsigned bits, int firstPixel) {
+    bits &= Lanes::bitsOf(segment.visible);
+    if (bits != 0) queueSegment(segment, Lanes::maskOf(bits), bits, firstPixel);
+  }
+
+  /// One fragment in each of the pixels of `bits`, a group of lanes of a stamp.
+  void insert(int stamp, int group, unsigned bits, const typename A::Fragment& incoming) {
+    float* state = stateOf(stamp) + group * kLanes;
+    typename A::KBuffer kbuffer = loadEntries(state);
+    typename A::PixelState pixel = loadPixel(state);
+    if constexpr (kSpeculative) {
+      const unsigned wrong = bits & Lanes::bitsOf(A::isLateBy(kbuffer, pixel, incoming, Real(0.0f)));
+      if (wrong != 0) {
+        giveUp(stamp, wrong << (group * kLanes));
+        bits &= ~wrong;
+      }
+    } else {
+      const unsigned late = bits & Lanes::bitsOf(A::isLate(kbuffer, pixel, incoming));
+      if (late != 0) {
+        countLate(stamp, group, late);
+        if (!tile_.compositeLate) {
+          pixel.inside = Lanes::select(Lanes::maskOf(late), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
+          Lanes::store(state, pixel.inside);
+          bits &= ~late;
+        }
+      }
+    }
+    if (bits == 0) return;
+    const Mask mask = Lanes::maskOf(bits);
+    const typename A::KBuffer before = kbuffer;
+    const typename A::PixelState pixelBefore = pixel;
+    typename A::Fragment front;
+    A::insertFragment(kbuffer, incoming, front);
+    const typename A::Segment segment = A::leave(pixel, front, kbuffer.entry[0]);
+    storePixel(state, {Lanes::select(mask, pixel.inside, pixelBefore.inside),
+                       Lanes::select(mask, pixel.started, pixelBefore.started)});
+    for (int i = 0; i < K; ++i)
+      storeEntry(state + kFirstEntry + i * kEntryNumbers,
+                 A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
+    takeSegment(segment, bits, stamp * kStampPixels + group * kLanes);
+  }
+
+  void giveUp(int stamp, unsigned bits) {
+    tile_.flagged[stamp] = static_cast<std::uint16_t>(tile_.flagged[stamp] | bits);
+    tile_.active[stamp] = static_cast<std::uint16_t>(tile_.active[stamp] & ~bits);
+    tile_.activePixels -= static_cast<std::size_t>(std::popcount(bits));
+  }
+
+  void countLate(int stamp, int group, unsigned bits) {
+    if (tile_.late == nullptr) return;
+    std::uint32_t* late = tile_.late + stamp * kStampPixels + group * kLanes;
+    for (; bits != 0; bits &= bits - 1) ++late[std::countr_zero(bits)];
+  }
+
+  /// What is left in the k-buffers leaves in order.
+  void finish() {
+    for (int stamp = 0; stamp < stamps(); ++stamp)
+      for (int group = 0; group < kGroups; ++group) {
+        const unsigned bits = groupBits(tile_.active[stamp], group);
+        if (bits == 0) continue;
+        const float* state = stateOf(stamp) + group * kLanes;
+        typename A::KBuffer kbuffer = loadEntries(state);
+        typename A::PixelState pixel = loadPixel(state);
+        for (int i = 0; i + 1 < K; ++i)
+          takeSegment(A::leave(pixel, kbuffer.entry[i], kbuffer.entry[i + 1]), bits,
+                      stamp * kStampPixels + group * kLanes);
+      }
+    tile_.flush(tile_);
+  }
+
+  static unsigned groupBits(unsigned stampBits, int group) { return stampBits >> (group * kLanes) & kGroupBits; }
+
+  // ------------------------------------------------------------------------------------------ faces
+  void drawBatch(const std::uint32_t* faces, int count) {
+    batch_.gather(tile_, faces, count);
+    batch_.findBoxes(tile_);
+    batch_.findEdges(tile_);
+    for (int i = 0; i < count; ++i)
+      if (batch_.way[i] == FaceWay::stamps) takeAttributes(i);
+    batch_.findFunctions();
+    for (int i = 0; i < count; ++i) {
+      if (batch_.way[i] == FaceWay::stamps) drawStamps(i);
+      if (batch_.way[i] == FaceWay::pixelByPixel) drawPixelByPixel(i);
+    }
+  }
+
+  void takeAttributes(int i) {
+    for (int a = 0; a < kAttributes; ++a) {
+      double value[3];
+      attributesOf(batch_.corners[i], batch_.face[i], batch_.entersMesh[i], a, value);
+      for (int j = 0; j < 3; ++j) batch_.value[1 + a][j][i] = value[j];
+    }
+  }
+
+  /// Attribute `a` at the three corners.
+  void attributesOf(const FaceCorners& corners, std::uint32_t face, bool entersMesh, int a, double* value) const {
+    const RasterMesh& mesh = tile_.mesh;
+    for (int i = 0; i < 3; ++i) {
+      if constexpr (kAttributes == 1) {
+        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1])
+                                          : corners.p[i]->scalar;
+      } else {
+        const std::size_t at = mesh.cellData ? 2 * std::size_t{face} + (entersMesh ? 0 : 1) : corners.index[i];
+        value[i] = static_cast<double>(mesh.colors[at][a]);
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------ by stamps
+  void drawStamps(int face) {
+    const Batch& f = batch_;
+    const int firstColumn = f.left[face] / kStampSide, lastColumn = f.right[face] / kStampSide;
+    const int firstRow = f.top[face] / kStampSide, lastRow = f.bottom[face] / kStampSide;
+    Real edge[3][kGroups];  // at the pixels of the first stamp
+    for (int i = 0; i < 3; ++i)
+      for (int group = 0; group < kGroups; ++group)
+        edge[i][group] = (Real(f.perX[i][face]) * Lanes::load(kLaneX + group * kLanes) +
+                          Real(f.perY[i][face]) * Lanes::load(kLaneY + group * kLanes)) +
+                         Real(f.atOrigin[i][face]);
+    for (int row = firstRow; row <= lastRow; ++row) {
+      const float y = static_cast<float>((row - firstRow) * kStampSide);
+      for (int column = firstColumn; column <= lastColumn; ++column) {
+        const int stamp = row * tile_.stampsAcross + column;
+        const unsigned active = tile_.active[stamp];
+        if (active == 0) continue;
+        const float x = static_cast<float>((column - firstColumn) * kStampSide);
+        for (int group = 0; group < kGroups; ++group) {
+          auto value = [&](int i) { return edge[i][group] + Real(f.perX[i][face] * x + f.perY[i][face] * y); };
+          auto least = [](Real a, Real b) { return Lanes::select(a < b, a, b); };
+          const Real inside = least(least(value(0), value(1)), value(2));
+          const unsigned bits = groupBits(active, group);
+          const unsigned sure = Lanes::bitsOf(inside > Real(1.0f)) & bits;
+          const unsigned unsure = Lanes::bitsOf(inside >= Real(-1.0f)) & bits & ~sure;
+          if ((sure | unsure) == 0) continue;
+          const unsigned covered = unsure == 0 ? sure : sure | decide(f.corners[face], stamp, group, unsure);
+          if (covered != 0)
+            drawGroup(face, Real(x) + Lanes::load(kLaneX + group * kLanes),
+                      Real(y) + Lanes::load(kLaneY + group * kLanes), stamp, group, covered);
+        }
+      }
+    }
+  }
+
+  /// (x, y): of the pixels, from the face's first stamp.
+  void drawGroup(int face, Real x, Real y, int stamp, int group, unsigned covered) {
+    const Batch& f = batch_;
+    auto function = [&](int i) {
+      return Real(f.perX[i][face]) * x + Real(f.perY[i][face]) * y + Real(f.atOrigin[i][face]);
+    };
+    tile_.fragments += static_cast<unsigned>(std::popcount(covered));
+
+    const Real perSum = Real(1.0f) / function(Batch::kSum);
+    const Real scale = Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
+    typename A::Fragment fragment;
+    fragment.distance = (Real(f.value0[0][face]) + function(Batch::kNumerator) * perSum) * scale;
+    fragment.payload.kind = Real(f.kind[face]);
+    auto attribute = [&](int i) {
+      return clamped(Real(f.value0[1 + i][face]) + function(Batch::kNumerator + 1 + i) * perSum);
+    };
+    if constexpr (kAttributes == 1) {
+      fragment.payload.scalar = attribute(0);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) fragment.payload.color[i] = attribute(i);
+    }
+    insert(stamp, group, covered, fragment);
+  }
+
+  /// To [0, 1].
+  static Real clamped(Real value) {
+    const Real low = Lanes::select(value > Real(0.0f), value, Real(0.0f));
+    return Lanes::select(low < Real(1.0f), low, Real(1.0f));
+  }
+
+  /// The pixels of `bits` that the face covers by the exact rule.
+  unsigned decide(const FaceCorners& corners, int stamp, int group, unsigned bits) const {
+    unsigned covered = 0;
+    for (; bits != 0; bits &= bits - 1) {
+      const int lane = std::countr_zero(bits);
+      const int pixel = group * kLanes + lane;
+      const int x = stamp % tile_.stampsAcross * kStampSide + pixel % kStampSide;
+      const int y = stamp / tile_.stampsAcross * kStampSide + pixel / kStampSide;
+      if (hitAt(corners, x, y).sign != 0) covered |= 1u << lane;
+    }
+    return covered;
+  }
+
+  /// At a pixel of the tile.
+  FaceHit hitAt(const FaceCorners& corners, int x, int y) const {
+    return hitFace(*corners.p[0], *corners.p[1], *corners.p[2], tile_.left + x + 0.5, tile_.top + y + 0.5,
+                   tile_.mesh.width, tile_.mesh.height);
+  }
+
+  // ------------------------------------------------------------------------------------------ pixel by pixel
+  void drawPixelByPixel(int i) {
+    const FaceCorners& corners = batch_.corners[i];
+    const bool boundary = batch_.boundary[i];
+    const std::uint32_t face = batch_.face[i];
+    for (int y = batch_.top[i]; y <= batch_.bottom[i]; ++y) {
+      const int first = batch_.left[i], last = batch_.right[i];
+      for (int sense = 1; sense >= -1; sense -= 2) {
+        int from = first, to = last;
+        if (!spanOf(corners, y, sense, from, to)) continue;
+        for (int x = from; x <= to; ++x) drawPixel(corners, face, boundary, x, y, sense);
+      }
+    }
+  }
+
+  /// Narrows [from, to] to the pixels of the row where the products may all have the sign of `sense`.
+  bool spanOf(const FaceCorners& corners, int row, int sense, int& from, int& to) const {
+    const double x0 = tile_.left + 0.5, y = tile_.top + row + 0.5;
+    double low = from, high = to;
+    for (int i = 0; i < 3; ++i) {
+      const RasterPoint &a = *corners.p[(i + 1) % 3], &b = *corners.p[(i + 2) % 3];
+      const double ay = a.y - y * a.w, by = b.y - y * b.w;
+      const double ax = a.x - x0 * a.w, bx = b.x - x0 * b.w;
+      const double at0 = sense * (ax * by - ay * bx), perX = sense * (ay * b.w - a.w * by);
+      const double rounding = 64 * 0x1p-53 *
+                              ((std::abs(ax) + tile_.mesh.width * std::abs(a.w)) * (std::abs(by) + std::abs(y * b.w)) +
+                               (std::abs(bx) + tile_.mesh.width * std::abs(b.w)) * (std::abs(ay) + std::abs(y * a.w)));
+      if (perX > 0) {
+        low = std::max(low, (-at0 - rounding) / perX - 1e-6);
+      } else if (perX < 0) {
+        high = std::min(high, (at0 + rounding) / -perX + 1e-6);
+      } else if (at0 < -rounding) {
+        return false;
+      }
+    }
+    if (!(low <= high)) return false;
+    from = static_cast<int>(std::ceil(low));
+    to = static_cast<int>(std::floor(high));
+    return from <= to;
+  }
+
+  void drawPixel(const FaceCorners& corners, std::uint32_t face, bool boundary, int x, int y, int sense) {
+    const int stamp = y / kStampSide * tile_.stampsAcross + x / kStampSide;
+    const int pixel = y % kStampSide * kStampSide + x % kStampSide;
+    if ((tile_.active[stamp] >> pixel & 1) == 0) return;
+    const FaceHit hit = hitAt(corners, x, y);
+    if (hit.sign != sense) return;
+    const RasterPoint* const* p = corners.p;
+    const double sum = hit.a + hit.b + hit.c;
+    auto mean = [&](double a, double b, double c) { return (hit.a * a + hit.b * b + hit.c * c) / sum; };
+    if (!(mean(p[0]->w, p[1]->w, p[2]->w) > 0)) return;  // behind the eye
+    const bool entersMesh = (hit.sign < 0) != corners.reversed;
+    const double depth = mean(p[0]->depth, p[1]->depth, p[2]->depth);
+    if (!std::isfinite(depth)) return;  // the eye in the plane of the face
+    ++tile_.fragments;
+
+    const int group = pixel / kLanes, lane = pixel % kLanes;
+    const float scale = tile_.rayScale[stamp * kStampPixels + pixel];
+    typename A::Fragment fragment;
+    fragment.distance = Real(static_cast<float>(depth) * scale);
+    fragment.payload.kind = Real(boundary ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
+    for (int a = 0; a < kAttributes; ++a) {
+      double value[3];
+      attributesOf(corners, face, entersMesh, a, value);
+      const Real number = clamped(Real(static_cast<float>(mean(value[0], value[1], value[2]))));
+      if constexpr (kAttributes == 1) {
+        fragment.payload.scalar = number;
+      } else {
+        fragment.payload.color[a] = number;
+      }
+    }
+    insert(stamp, group, 1u << lane, fragment);
+  }
+
+  TileDraw& tile_;
+  SegmentQueue& queue_;
+  Batch batch_;
+};
+
+template <class Lanes, int K, int kAttributes, bool kSpeculative>
+void drawTileKernel(TileDraw& tile) {
+  TileDrawer<Lanes, K, kAttributes, kSpeculative>(tile).draw();
+}
+
+}  // namespace
+}  // namespace havs

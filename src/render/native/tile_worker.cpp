@@ -1,0 +1,146 @@
+#include "render/native/tile_worker.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/arithmetic.h"
+
+namespace havs {
+namespace {
+
+/// Number of a tile's pixel in the order of stamps.
+std::size_t pixelAt(const TileDraw& tile, int x, int y) {
+  const int stamp = y / kStampSide * tile.stampsAcross + x / kStampSide;
+  return static_cast<std::size_t>(stamp * kStampPixels + y % kStampSide * kStampSide + x % kStampSide);
+}
+
+void endPixel(TileDraw& tile, std::size_t pixel) {
+  std::uint16_t& active = tile.active[pixel / kStampPixels];
+  const unsigned bit = 1u << pixel % kStampPixels;
+  if ((active & bit) == 0) return;
+  active = static_cast<std::uint16_t>(active & ~bit);
+  --tile.activePixels;
+}
+
+void flushQueue(TileDraw& tile) {
+  using A = Arithmetic<FloatLane>;
+  SegmentQueue& queue = *tile.queue;
+  if (queue.count == 0) return;
+  static_cast<const SegmentShader*>(tile.shader)->shade(queue);
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    const auto pixel = static_cast<std::size_t>(queue.pixel[i]);
+    float* at = tile.rgba + 4 * pixel;
+    if (at[3] >= tile.terminalOpacity) continue;
+    const float* c = &queue.rgba[4 * i];
+    const A::Rgba sum = A::compositeUnder({at[0], at[1], at[2], at[3]}, {c[0], c[1], c[2], c[3]});
+    at[0] = sum.r;
+    at[1] = sum.g;
+    at[2] = sum.b;
+    at[3] = sum.a;
+    if (sum.a >= tile.terminalOpacity) endPixel(tile, pixel);
+  }
+  queue.count = 0;
+}
+
+}  // namespace
+
+TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid& grid, const TileSetting& setting)
+    : mesh_(mesh), view_(view), grid_(grid), setting_(setting), queue_(std::make_unique<SegmentQueue>()) {
+  queue_->scalarFront.fill(0);  // kernels read whole lanes
+  queue_->scalarBack.fill(0);
+  queue_->length.fill(0);
+  for (int i = 0; i < 4; ++i) {
+    queue_->front[static_cast<std::size_t>(i)].fill(0);
+    queue_->back[static_cast<std::size_t>(i)].fill(0);
+  }
+  const auto stamps = static_cast<std::size_t>(grid.side / kStampSide) * static_cast<std::size_t>(grid.side / kStampSide);
+  const std::size_t pixels = stamps * kStampPixels;
+  active_.resize(stamps);
+  flagged_.resize(stamps);
+  state_.resize(pixels * static_cast<std::size_t>(2 + setting.k * (2 + setting.attributes)));
+  rayScale_.resize(pixels);
+  rgba_.resize(4 * pixels);
+  if (setting.certificate) late_.resize(pixels);
+
+  tile_.mesh = mesh;
+  tile_.stampsAcross = tile_.stampsDown = grid.side / kStampSide;
+  tile_.active = active_.data();
+  tile_.flagged = flagged_.data();
+  tile_.state = state_.data();
+  tile_.rayScale = rayScale_.data();
+  tile_.rgba = rgba_.data();
+  tile_.late = setting.certificate ? late_.data() : nullptr;
+  tile_.compositeLate = setting.compositeLate;
+  tile_.flushAlways = setting.certificate && setting.terminalOpacity <= 1;
+  tile_.queue = queue_.get();
+  tile_.flush = flushQueue;
+  tile_.shader = setting.shader;
+  tile_.terminalOpacity = setting.terminalOpacity;
+}
+
+void TileWorker::place(std::size_t tile) {
+  tile_.left = static_cast<int>(tile % static_cast<std::size_t>(grid_.across)) * grid_.side;
+  tile_.top = static_cast<int>(tile / static_cast<std::size_t>(grid_.across)) * grid_.side;
+  width_ = std::min(grid_.side, mesh_.width - tile_.left);
+  height_ = std::min(grid_.side, mesh_.height - tile_.top);
+  std::fill(active_.begin(), active_.end(), std::uint16_t{0});
+  std::fill(flagged_.begin(), flagged_.end(), std::uint16_t{0});
+  std::fill(rgba_.begin(), rgba_.end(), 0.0f);
+  std::fill(late_.begin(), late_.end(), 0u);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const std::size_t pixel = pixelAt(tile_, x, y);
+      rayScale_[pixel] = static_cast<float>(view_.rayScale(tile_.left + x + 0.5, tile_.top + y + 0.5));
+      active_[pixel / kStampPixels] =
+          static_cast<std::uint16_t>(active_[pixel / kStampPixels] | 1u << pixel % kStampPixels);
+    }
+}
+
+void TileWorker::run(TileKernel kernel, std::span<const std::uint32_t> faces) {
+  tile_.faces = faces.data();
+  tile_.faceCount = faces.size();
+  tile_.activePixels = 0;
+  for (const std::uint16_t bits : active_) tile_.activePixels += static_cast<std::size_t>(std::popcount(bits));
+  kernel(tile_);
+}
+
+void TileWorker::draw(std::size_t tile, std::span<const std::uint32_t> faces, Drawing& drawing) {
+  if (faces.empty()) return;
+  place(tile);
+  tile_.fragments = 0;
+  run(setting_.speculative != nullptr ? setting_.speculative : setting_.kernel, faces);
+  fragments_ += tile_.fragments;
+  if (setting_.speculative != nullptr) redraw(faces);
+  write(drawing);
+}
+
+/// The flagged pixels anew with the full k.
+void TileWorker::redraw(std::span<const std::uint32_t> faces) {
+  std::size_t pixels = 0;
+  for (std::size_t stamp = 0; stamp < flagged_.size(); ++stamp) {
+    active_[stamp] = flagged_[stamp];
+    pixels += static_cast<std::size_t>(std::popcount(flagged_[stamp]));
+    for (unsigned left = flagged_[stamp]; left != 0; left &= left - 1) {
+      const std::size_t pixel = stamp * kStampPixels + static_cast<std::size_t>(std::countr_zero(left));
+      std::fill_n(&rgba_[4 * pixel], 4, 0.0f);
+    }
+  }
+  if (pixels == 0) return;
+  redrawn_ += pixels;
+  run(setting_.kernel, faces);
+}
+
+void TileWorker::write(Drawing& drawing) const {
+  for (int y = 0; y < height_; ++y) {
+    const auto first = static_cast<std::size_t>(tile_.top + y) * static_cast<std::size_t>(mesh_.width) +
+                       static_cast<std::size_t>(tile_.left);
+    for (int x = 0; x < width_; ++x) {
+      const std::size_t from = pixelAt(tile_, x, y), to = first + static_cast<std::size_t>(x);
+      std::copy_n(&rgba_[4 * from], 4, &drawing.image.rgba[4 * to]);
+      if (drawing.certificate) drawing.certificate->count[to] = late_[from];
+    }
+  }
+}
+
+}  // namespace havs
