@@ -1,5 +1,6 @@
 // The order certificate: how many late fragments each pixel has had. The count is touched where a fragment is late and
-// nowhere else. A program without HAVS_CERTIFICATE knows nothing of it.
+// nowhere else. With HAVS_LATE_FLAG it is only noted that there was one, somewhere; a program without either knows
+// nothing of it.
 #ifdef HAVS_CERTIFICATE
 layout(std430, binding = 2) buffer LateFragments { uint lateFragments[]; };  // of each pixel, rows from the bottom up
 uniform int pixelsPerRow;
@@ -8,6 +9,10 @@ void countLateFragment() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   atomicAdd(lateFragments[pixel.y * pixelsPerRow + pixel.x], 1u);
 }
+#elif defined(HAVS_LATE_FLAG)
+layout(std430, binding = 2) buffer LateFlag { uint anyLate; };
+
+void countLateFragment() { anyLate = 1u; }
 #else
 void countLateFragment() {}
 #endif

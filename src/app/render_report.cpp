@@ -95,7 +95,8 @@ Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vec
                   {"points", report.points},
                   {"cells", report.cells},
                   {"faces", report.faces},
-                  {"boundary_faces", report.boundaryFaces}};
+                  {"boundary_faces", report.boundaryFaces},
+                  {"drawn_cells", report.drawnCells}};
   json["field"] = {{"name", report.field}, {"centering", report.centering}, {"range", report.fieldRange}};
   json["settings"] = settingsAsJson(scene, report);
   if (report.reference) json["settings"] = settingsOfReference(json["settings"]);
@@ -159,8 +160,10 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
                          const std::vector<std::filesystem::path>& outputs) {
   std::string text;
   auto line = [&](const char* label, const std::string& content) { text += fmt::format("{:<9}{}\n", label, content); };
-  line("mesh", fmt::format("{}: {} points, {} tetrahedra, {} faces", scene.mesh.filename().string(), report.points,
-                           report.cells, report.faces));
+  const std::string drawn =
+      report.drawnCells < report.cells ? fmt::format("; {} tetrahedra show anything", report.drawnCells) : "";
+  line("mesh", fmt::format("{}: {} points, {} tetrahedra, {} faces{}", scene.mesh.filename().string(), report.points,
+                           report.cells, report.faces, drawn));
   line("field", fmt::format("{} ({} data), {:.6g} to {:.6g}", report.field, report.centering, report.fieldRange[0],
                             report.fieldRange[1]));
   line("transfer", describeTransfer(report));

@@ -4,6 +4,7 @@
 
 #include "gl/limits.h"
 #include "render/visibility.h"
+#include "scene/visible_part_renderer.h"
 
 namespace havs {
 
@@ -23,7 +24,9 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
-  return (plan.native ? plan.visibility.native : plan.visibility.gl).make(prepared, plan, stages, progress);
+  const auto& row = plan.native ? plan.visibility.native : plan.visibility.gl;
+  return rendererOfVisiblePart(prepared, plan.certificate, stages,
+                               [&](const PreparedScene& drawn) { return row.make(drawn, plan, stages, progress); });
 }
 
 }  // namespace havs

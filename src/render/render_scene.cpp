@@ -75,6 +75,7 @@ void drawRepeatedly(Renderer& renderer, const Scene& scene, const View& view, Re
     report.tiles = drawing.tiles;
     report.fragments = drawing.fragments;
     report.fragmentBytes = drawing.fragmentBytes;
+    report.drawnCells = drawing.drawnCells.value_or(report.cells);
   }
   if (progress && scene.repeat > 1) progress("drawing", 1.0);
 }

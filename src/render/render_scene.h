@@ -17,8 +17,9 @@ namespace havs {
 struct RenderReport {
   Image image;
   std::size_t points = 0, cells = 0, faces = 0, boundaryFaces = 0;  ///< of the mesh drawn
-  std::vector<Defect> defects;                                      ///< of the mesh as read
-  std::vector<std::string> notes;                                   ///< what reading and repair did, one sentence each
+  std::size_t drawnCells = 0;      ///< those that show anything (scene/visible_part.h); the reference: all
+  std::vector<Defect> defects;     ///< of the mesh as read
+  std::vector<std::string> notes;  ///< what reading and repair did, one sentence each
   std::string field;
   std::string centering;  ///< "point" or "cell"
   std::array<double, 2> fieldRange{0, 0};
@@ -38,7 +39,7 @@ struct RenderReport {
   std::optional<Certificate> certificate;
   std::size_t cycles = 0;      ///< cut by the topological order
   StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total;
-                               ///< k_search where k is searched for
+                               ///< k_search where k is searched for, visible (what shows)
   double cpuMilliseconds = 0;  ///< of the whole call, all threads
   bool reference = false;      ///< drawn by drawReference: what is said of OpenGL, the plan and orders is unset
   std::vector<unsigned char> edgeMask;  ///< boundaryEdgeMask (reference/edge_mask.h), where it was asked for

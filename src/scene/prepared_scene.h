@@ -28,7 +28,9 @@ struct PreparedScene {
   ExtinctionCurve curve;
   std::string transferFunction;
   OpacityMeaning meaning = OpacityMeaning::perUnit;
-  std::vector<double> scalars;  ///< normalised to the domain, [0, 1]; one a point or one a cell
+  std::vector<double> scalars;           ///< normalised to the domain, [0, 1]; one a point or one a cell
+  const PreparedScene* whole = nullptr;  ///< of which this is the part that shows anything (scene/visible_part.h)
+  std::vector<Index> facesInWhole;       ///< then, the number there of each of `faces`; ascending
 
   SceneFacts facts() const { return {field.centering == Centering::cell, !curve.opaque.empty()}; }
 };

@@ -27,6 +27,7 @@ struct Drawing {
   std::size_t tiles = 1;                   ///< that the picture was drawn in
   std::size_t fragments = 0;               ///< counted by a method that keeps them all, else 0
   std::size_t fragmentBytes = 0;           ///< of memory that these took at once
+  std::optional<std::size_t> drawnCells;   ///< where not all show anything (scene/visible_part.h); else all are drawn
 };
 
 /// Draws a prepared scene, one for each way of drawing: the rows of visibilityMethods() (render/visibility.h) and the

@@ -31,6 +31,12 @@ class FaceSorter {
   virtual ~FaceSorter() = default;
   /// Writes all faces, near first, into `order` (its memory is used again). Deterministic for any number of threads.
   virtual void sort(const ViewPoint& view, FaceOrder& order) = 0;
+  /// To be called where the order for `view` has turned out wrong somewhere: writes a better one and goes on like that,
+  /// or returns false where none is known.
+  virtual bool refine(const ViewPoint& view, FaceOrder& order) {
+    static_cast<void>(view), static_cast<void>(order);
+    return false;
+  }
   /// The same, handed over in pieces: `ready(count)` is called with growing counts, the last that of all faces, when
   /// order.faces[0 .. count) are written for good. order.faces has its full size from the first call on, so nothing
   /// moves. The calls come one after another, but maybe from other threads; they should return soon. What they throw is
@@ -53,6 +59,7 @@ struct SortMethod {
   std::string name;
   std::string description;
   std::unique_ptr<FaceSorter> (*make)(const SortInput&);
+  bool usesNeighbours = false;  ///< follows the cells from one to the next, so that a mesh with gaps is harder
 };
 /// centroid, topological, exact (the comparison sort, the tests' oracle), none (the file's order).
 std::span<const SortMethod> sortMethods();

@@ -13,7 +13,7 @@
 #include "render/gl/renderers.h"
 #include "render/gl/stage_sum.h"
 #include "render/make_renderer.h"
-#include "sort/face_order.h"
+#include "render/scene_sorter.h"
 
 namespace havs {
 namespace {
@@ -25,7 +25,7 @@ class CellsRenderer final : public Renderer {
  public:
   CellsRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
-        sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
+        sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::asInWhole)),
         color_(programs_.get("cells.vert", "cells.frag", shaderOptions(plan))) {
     if (plan.certificate) {
       ShaderOptions options = shaderOptions(plan);

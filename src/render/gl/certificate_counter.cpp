@@ -3,8 +3,6 @@
 namespace havs {
 namespace {
 
-constexpr GLuint kLateFragmentsBinding = 2;  // as in certificate.glsl
-
 std::size_t pixelsOf(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }

@@ -6,6 +6,8 @@
 
 namespace havs {
 
+inline constexpr GLuint kLateFragmentsBinding = 2;  // as in certificate.glsl
+
 /// A certificate without a late fragment, of a picture of this size.
 Certificate emptyCertificate(int width, int height);
 

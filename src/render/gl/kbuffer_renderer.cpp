@@ -13,9 +13,10 @@
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
+#include "render/gl/stage_sum.h"
 #include "render/gl/tile.h"
 #include "render/make_renderer.h"
-#include "sort/face_order.h"
+#include "render/scene_sorter.h"
 
 namespace havs {
 
@@ -33,12 +34,25 @@ namespace {
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
 constexpr float kMostOpacity = 0.99999994f;
 
+/// Where late fragments are not counted anyway, but a better order might be had if there are any (scene_sorter.h).
+std::optional<Buffer> lateFlagFor(const PreparedScene& prepared, const RenderPlan& plan) {
+  if (prepared.whole == nullptr || plan.certificate || !sortMethod(plan.sort).usesNeighbours) return std::nullopt;
+  return Buffer("late flag", sizeof(std::uint32_t));
+}
+
+ShaderOptions insertOptions(const RenderPlan& plan, bool lateFlag) {
+  ShaderOptions options = kbufferShaderOptions(plan);
+  if (lateFlag) options.defines["HAVS_LATE_FLAG"] = "1";
+  return options;
+}
+
 class KBufferRenderer final : public Renderer, public ChangesK {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
-        sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})),
+        sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn)),
+        lateFlag_(lateFlagFor(prepared, plan)),
         insert_(insertProgram()),
         flush_(flushProgram()) {
     {
@@ -52,22 +66,14 @@ class KBufferRenderer final : public Renderer, public ChangesK {
 
   Drawing draw(const View& view, StageTimes& stages, const Progress&) override {
     makeTargets(std::min(plan_.tileWidth, view.width), std::min(plan_.tileHeight, view.height));
-    {
-      const ScopedStage timer(stages, "order");
-      sorter_->sort(viewPointOf(view), order_);
+    FrameTimes times(stages);
+    times.order.time([&] { sorter_->sort(viewPointOf(view), order_); });
+    Drawing drawing = drawInOrder(view, times);
+    if (hasLate(drawing)) {
+      bool better = false;
+      times.order.time([&] { better = sorter_->refine(viewPointOf(view), order_); });
+      if (better) drawing = drawInOrder(view, times);
     }
-    {
-      const ScopedStage timer(stages, "upload");
-      mesh_->setOrder(order_);
-      glFinish();
-    }
-    Drawing drawing;
-    drawing.image = emptyPicture(view);
-    if (plan_.certificate) drawing.certificate = emptyCertificate(view.width, view.height);
-    const std::vector<Tile> tiles = tilesOf(view, plan_);
-    for (const Tile& tile : tiles) drawTile(view, tile, drawing, stages);
-    drawing.cycles = order_.cycles;
-    drawing.tiles = tiles.size();
     return drawing;
   }
 
@@ -79,7 +85,43 @@ class KBufferRenderer final : public Renderer, public ChangesK {
   }
 
  private:
-  const Program& insertProgram() { return programs_.get("faces.vert", "kbuffer.frag", kbufferShaderOptions(plan_)); }
+  /// Of a frame, whatever it is drawn in. The last of them goes first, and is first in the report.
+  struct FrameTimes {
+    explicit FrameTimes(StageTimes& stages)
+        : readback(stages, "readback"),
+          flush(stages, "flush"),
+          draw(stages, "draw"),
+          upload(stages, "upload"),
+          order(stages, "order") {}
+    StageSum readback, flush, draw, upload, order;
+  };
+
+  Drawing drawInOrder(const View& view, FrameTimes& times) {
+    times.upload.time([&] {
+      mesh_->setOrder(order_);
+      glFinish();
+    });
+    Drawing drawing;
+    drawing.image = emptyPicture(view);
+    if (plan_.certificate) drawing.certificate = emptyCertificate(view.width, view.height);
+    if (lateFlag_) lateFlag_->clear();
+    const std::vector<Tile> tiles = tilesOf(view, plan_);
+    for (const Tile& tile : tiles) drawTile(view, tile, drawing, times);
+    drawing.cycles = order_.cycles;
+    drawing.tiles = tiles.size();
+    return drawing;
+  }
+
+  bool hasLate(const Drawing& drawing) const {
+    if (drawing.certificate) return drawing.certificate->misordered > 0;
+    if (!lateFlag_) return false;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    return lateFlag_->read<std::uint32_t>(1)[0] != 0;
+  }
+
+  const Program& insertProgram() {
+    return programs_.get("faces.vert", "kbuffer.frag", insertOptions(plan_, lateFlag_.has_value()));
+  }
   const Program& flushProgram() {
     return programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan_));
   }
@@ -92,27 +134,27 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     if (plan_.certificate) counter_.emplace(width, height);
   }
 
-  void drawTile(const View& view, const Tile& tile, Drawing& drawing, StageTimes& stages) {
-    {
-      const ScopedStage timer(stages, "draw");
+  void drawTile(const View& view, const Tile& tile, Drawing& drawing, FrameTimes& times) {
+    times.draw.time([&] {
       targets_->begin(tile);
       setUniforms(insert_, view, tile);
       if (counter_) counter_->begin(insert_, tile);
+      if (lateFlag_) lateFlag_->bindBase(GL_SHADER_STORAGE_BUFFER, kLateFragmentsBinding);
       mesh_->drawInBatches([&](std::size_t first) { insert_.get().set("firstFace", static_cast<int>(first)); });
       if (counter_) counter_->end();
       glFinish();
-    }
-    {
-      const ScopedStage timer(stages, "flush");
+    });
+    times.flush.time([&] {
       setUniforms(flush_, view, tile);
       emptyArray_.bind();
       glDrawArrays(GL_TRIANGLES, 0, 3);
       glFinish();
-    }
+    });
     checkGl("drawing");
-    const ScopedStage timer(stages, "readback");
-    targets_->readInto(drawing.image, tile);
-    if (counter_) counter_->addTo(*drawing.certificate, tile, drawing.image.height);
+    times.readback.time([&] {
+      targets_->readInto(drawing.image, tile);
+      if (counter_) counter_->addTo(*drawing.certificate, tile, drawing.image.height);
+    });
   }
 
   void setUniforms(const Program& program, const View& view, const Tile& tile) const {
@@ -128,6 +170,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
   std::unique_ptr<FaceSorter> sorter_;
   FaceOrder order_;
   ProgramCache programs_;
+  std::optional<Buffer> lateFlag_;  ///< whether any fragment came late
   std::reference_wrapper<const Program> insert_;
   std::reference_wrapper<const Program> flush_;
   VertexArray emptyArray_{"no vertices"};

@@ -13,7 +13,7 @@
 #include "render/native/kernels.h"
 #include "render/native/renderers.h"
 #include "render/native/tile_worker.h"
-#include "sort/face_order.h"
+#include "render/scene_sorter.h"
 
 namespace havs {
 namespace {
@@ -32,7 +32,7 @@ class NativeKBufferRenderer final : public Renderer {
                         const Progress& progress)
       : prepared_(prepared),
         plan_(plan),
-        sorter_(sortMethod(plan.sort).make({prepared.points, prepared.mesh.tetrahedra, &prepared.faces})) {
+        sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::asInWhole)) {
     const InstructionSet& instructions = instructionSet(plan.instructionSet);
     {
       const ScopedStage timer(stages, "table");
