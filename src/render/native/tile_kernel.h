@@ -188,8 +188,7 @@ class TileDrawer {
     storePixel(state, {Lanes::select(mask, pixel.inside, pixelBefore.inside),
                        Lanes::select(mask, pixel.started, pixelBefore.started)});
     for (int i = 0; i < K; ++i)
-      storeEntry(state + kFirstEntry + i * kEntryNumbers,
-                 A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
+      storeEntry(state + kFirstEntry + i * kEntryNumbers, A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
     takeSegment(segment, bits, stamp * kStampPixels + group * kLanes);
   }
 
@@ -200,6 +199,7 @@ class TileDrawer {
   }
 
   void countLate(int stamp, int group, unsigned bits) {
+    tile_.lateFragments += static_cast<unsigned>(std::popcount(bits));
     if (tile_.late == nullptr) return;
     std::uint32_t* late = tile_.late + stamp * kStampPixels + group * kLanes;
     for (; bits != 0; bits &= bits - 1) ++late[std::countr_zero(bits)];
@@ -250,8 +250,7 @@ class TileDrawer {
     const RasterMesh& mesh = tile_.mesh;
     for (int i = 0; i < 3; ++i) {
       if constexpr (kAttributes == 1) {
-        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1])
-                                          : corners.p[i]->scalar;
+        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1]) : corners.p[i]->scalar;
       } else {
         const std::size_t at = mesh.cellData ? 2 * std::size_t{face} + (entersMesh ? 0 : 1) : corners.index[i];
         value[i] = static_cast<double>(mesh.colors[at][a]);
