@@ -46,6 +46,7 @@ struct DoubleLane {
 #define TABLES const Tables &tables,
 #define WITH_TABLES tables,
 #define TABLE(fetch) tables.fetch
+#define WHERE_ANY(mask) if (anyLane(mask))
 
 template <class Lane, int K = 1>
 struct Arithmetic {
@@ -98,5 +99,6 @@ struct Arithmetic {
 #undef TABLES
 #undef WITH_TABLES
 #undef TABLE
+#undef WHERE_ANY
 
 }  // namespace havs
