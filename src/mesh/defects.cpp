@@ -165,7 +165,7 @@ void note(TetMesh& mesh, std::size_t count, const char* what) {
 TetMesh repairMesh(TetMesh mesh) {
   const std::vector<CellState> states = cellStates(mesh);
   const std::size_t cells = mesh.tetrahedra.size();
-  const std::vector<char> duplicate = sharesOnlyPlainFaces(mesh) ? std::vector<char>(cells, 0) : duplicateCells(mesh);
+  const std::vector<char> duplicate = duplicateCells(mesh);
   const auto count = [&](CellState state) {
     return tally(cells,
                  [&](std::size_t i) { return states[i] == state && (state == CellState::notFinite || !duplicate[i]); })

@@ -116,6 +116,27 @@ void orderStages(Bench& bench, const PreparedScene& prepared) {
   bench.stage("order by centroid", sort, [&] { camera.azimuth += 20; });
 }
 
+/// How many faces show the eye their other side when it goes round by so many degrees: the order can only be taken from
+/// the last view where there are none.
+nlohmann::ordered_json facesThatTurn(const PreparedScene& prepared) {
+  const auto turnedBy = [&](double degrees) {
+    Camera camera;
+    const Vec3 before = makeView(camera, prepared.frame, 1024, 1024).eye;
+    camera.azimuth += degrees;
+    const Vec3 after = makeView(camera, prepared.frame, 1024, 1024).eye;
+    std::size_t count = 0;
+    for (const auto& [i, j, k] : prepared.faces.vertices) {
+      const Vec3& a = prepared.points[i];
+      const Vec3 normal = cross(prepared.points[j] - a, prepared.points[k] - a);
+      count += (dot(normal, before - a) > 0) != (dot(normal, after - a) > 0) ? 1 : 0;
+    }
+    return count;
+  };
+  nlohmann::ordered_json json;
+  for (const char* degrees : {"1e-5", "1e-3", "0.1", "1", "10"}) json[degrees] = turnedBy(std::stod(degrees));
+  return json;
+}
+
 void tableStages(Bench& bench, const PreparedScene& prepared, const std::vector<std::string>& transferFunctions) {
   for (const std::string& name : transferFunctions) {
     CurveSetting setting;
@@ -149,6 +170,8 @@ nlohmann::ordered_json measure(const Options& options) {
     orderStages(bench, prepared);
     tableStages(bench, prepared, options.transferFunctions);
     json["threads"][std::to_string(threads)] = bench.json();
+    json["faces"] = prepared.faces.size();
+    json["faces_that_turn_by_degrees"] = facesThatTurn(prepared);
   }
   return json;
 }
