@@ -1,8 +1,7 @@
-// PNG through libpng: 8 or 16 bits a channel; RGB over a background, straight RGBA without one.
+// Reading PNG through libpng; png_writer.cpp writes it.
 #include <png.h>
 
 #include <bit>
-#include <cmath>
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
@@ -30,70 +29,6 @@ void onError(png_structp png, png_const_charp message) {
   png_longjmp(png, 1);
 }
 void onWarning(png_structp, png_const_charp) {}
-
-/// round(most * value), value clamped to [0, 1]; 0 for a value that is not a number.
-std::uint16_t quantised(float value, double most) {
-  if (!(value > 0)) return 0;
-  return static_cast<std::uint16_t>(std::lround(most * std::min(1.0, static_cast<double>(value))));
-}
-
-/// One row as PNG holds it (16 bits: most significant byte first).
-void packRow(const Image& image, int y, const ImageFileOptions& options, std::vector<png_byte>& row) {
-  const bool wide = options.pngBits == 16;
-  const double most = wide ? 65535 : 255;
-  row.clear();
-  auto put = [&](float value) {
-    const std::uint16_t number = quantised(value, most);
-    if (wide) row.push_back(static_cast<png_byte>(number >> 8));
-    row.push_back(static_cast<png_byte>(number & 0xff));
-  };
-  for (int x = 0; x < image.width; ++x) {
-    if (options.background) {
-      for (float value : over(image.pixel(x, y), *options.background)) put(value);
-    } else {
-      for (float value : straight(image.pixel(x, y))) put(value);
-    }
-  }
-}
-
-struct Writer {
-  PngMessages messages;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &messages, onError, onWarning);
-  png_infop info = png ? png_create_info_struct(png) : nullptr;
-  ~Writer() { png_destroy_write_struct(&png, &info); }
-};
-
-/// False when libpng gave up. Holds nothing that a longjmp would leave behind: `row` belongs to the caller.
-bool writeRows(Writer& writer, std::FILE* file, const Image& image, const ImageFileOptions& options,
-               std::vector<png_byte>& row) {
-  if (setjmp(png_jmpbuf(writer.png))) return false;
-  png_init_io(writer.png, file);
-  png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  const int color = options.background ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA;
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-               options.pngBits, color, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_write_info(writer.png, writer.info);
-  for (int y = 0; y < image.height; ++y) {
-    packRow(image, y, options, row);
-    png_write_row(writer.png, row.data());
-  }
-  png_write_end(writer.png, writer.info);
-  return true;
-}
-
-}  // namespace
-
-bool writePng(const Image& image, const fs::path& file, const ImageFileOptions& options) {
-  FilePointer stream(std::fopen(file.c_str(), "wb"));
-  Writer writer;
-  std::vector<png_byte> row;
-  const bool started = stream && writer.info;
-  const bool written = started && writeRows(writer, stream.get(), image, options, row);
-  const bool closed = stream && std::fclose(stream.release()) == 0;
-  return written && closed;
-}
-
-namespace {
 
 struct Reader {
   PngMessages messages;

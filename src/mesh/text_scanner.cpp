@@ -24,15 +24,16 @@ constexpr std::array<CharacterKind, 256> kKinds = [] {
 
 bool isSeparator(char c) { return kKinds[static_cast<unsigned char>(c)] == kSeparator; }
 bool endsWord(char c) { return kKinds[static_cast<unsigned char>(c)] != kPartOfWord; }
-/// from_chars for whole numbers of up to 18 digits, which cannot overflow; no stop: it is another kind of word.
+/// from_chars for whole numbers of up to 18 digits, which cannot overflow: it stops before a 19th,
+/// and what stops inside a word is another kind of word. Null where there is no digit.
 const char* quickNumber(const char* at, const char* end, std::int64_t& value) {
   constexpr std::ptrdiff_t kMostDigits = 18;
   const bool negative = at != end && *at == '-';
   const char* const digits = at + (negative ? 1 : 0);
   std::int64_t sum = 0;
-  for (at = digits; at != end && *at >= '0' && *at <= '9' && at - digits <= kMostDigits; ++at)
+  for (at = digits; at != end && *at >= '0' && *at <= '9' && at - digits < kMostDigits; ++at)
     sum = 10 * sum + (*at - '0');
-  if (at == digits || at - digits > kMostDigits) return nullptr;
+  if (at == digits) return nullptr;
   value = negative ? -sum : sum;
   return at;
 }

@@ -9,6 +9,9 @@
 // is done, late ones perhaps. Then every k is tried, from 1 on.
 #include "render/k_search.h"
 
+#include <memory>
+
+#include "render/changes_k.h"
 #include "render/make_renderer.h"
 
 namespace havs {
@@ -32,10 +35,17 @@ int searchK(const Scene& scene, const PreparedScene& prepared, const View& view,
             const Progress& progress) {
   Scene search = sceneForSearch(scene);
   StageTimes ignored;
+  std::unique_ptr<Renderer> renderer;
   auto isExact = [&](int k) {
     search.k = k;
     const RenderPlan chosen = plan(search, prepared.facts(), capabilities);
-    return makeRenderer(prepared, chosen, ignored)->draw(view, ignored).certificate->misordered == 0;
+    if (auto* same = dynamic_cast<ChangesK*>(renderer.get())) {
+      same->changeK(chosen);
+    } else {
+      renderer.reset();  // its memory first
+      renderer = makeRenderer(prepared, chosen, ignored, progress);
+    }
+    return renderer->draw(view, ignored).certificate->misordered == 0;
   };
   int least = 1, most = largestK(search, capabilities);
   const int tries = most;

@@ -80,6 +80,7 @@ class CellSearch {
 
   unsigned facesOf(Index cell) const;
   unsigned closedFaces(Index cell, unsigned faces) const;
+  void fetchNeighbors(Index cell) const;
   void cutCycle(Index repeated);
 
   std::span<const Neighbors> neighbors_;
@@ -134,6 +135,16 @@ void CellSearch::writeWithAllInFront(Index start, std::size_t cellsOfPiece, cons
     marks.putOnStack();
     cell = other;
     left = marks.inFront();
+    fetchNeighbors(cell);
+  }
+}
+
+/// What the search will look at next depends on what it finds now: a third of its time went by in waiting.
+inline void CellSearch::fetchNeighbors(Index cell) const {
+  for (const Index neighbor : neighbors_[cell]) {
+    const Index near = neighbor == kNoIndex ? cell : neighbor;
+    __builtin_prefetch(&neighbors_[near]);
+    __builtin_prefetch(&marks_[near]);
   }
 }
 

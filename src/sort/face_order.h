@@ -16,6 +16,7 @@ struct ViewPoint {
   bool orthographic = false;
   Vec3 eye{0};        ///< perspective: where the rays start
   Vec3 direction{0};  ///< unit vector along the view, away from the eye (orthographic: of every ray)
+  bool operator==(const ViewPoint&) const = default;
 };
 
 /// Faces, near first.

@@ -1,10 +1,31 @@
 #include "sort/face_pieces.h"
 
-#include <bit>
+#include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "core/parallel.h"
 
 namespace havs {
+namespace {
+
+/// The faces that go out with a cell, in their order.
+struct CellFaces {
+  std::array<std::uint8_t, 4> place;
+  std::uint8_t count;
+};
+
+/// By which go first (four bits) and which then (four bits).
+constexpr std::array<CellFaces, 256> kCellFaces = [] {
+  std::array<CellFaces, 256> all{};
+  for (unsigned bits = 0; bits < 256; ++bits)
+    for (const unsigned half : {bits >> 4, bits & 15u})
+      for (std::uint8_t i = 0; i < 4; ++i)
+        if (((half >> i) & 1u) != 0 && all[bits].count < 4) all[bits].place[all[bits].count++] = i;
+  return all;
+}();
+
+}  // namespace
 
 FacePieces::FacePieces(std::span<const std::array<Index, 4>> facesOfCell, std::span<const CellMarks> marks,
                        std::span<const Index> cells, std::span<Index> faces,
@@ -46,14 +67,21 @@ void FacePieces::finish() {
 
 void FacePieces::write(const Piece& piece) const {
   Index* face = faces_.data() + piece.firstFace;
-  for (std::size_t place = piece.firstCell; place < piece.endCell; ++place) {
-    const Index cell = cells_[place];
-    const auto& faces = facesOfCell_[cell];
-    const CellMarks marks = marks_[cell];
-    for (unsigned left = marks.facesFirst(); left != 0; left &= left - 1)
-      *face++ = faces[static_cast<unsigned>(std::countr_zero(left))];
-    for (unsigned left = marks.facesThen(); left != 0; left &= left - 1)
-      *face++ = faces[static_cast<unsigned>(std::countr_zero(left))];
+  const auto facesOf = [&](std::size_t place) -> const CellFaces& {
+    const CellMarks marks = marks_[cells_[place]];
+    return kCellFaces[marks.facesFirst() << 4 | marks.facesThen()];
+  };
+  std::size_t place = piece.firstCell;
+  // All four places are written, used or not, as long as they do not reach into the next piece.
+  for (; place < piece.endCell && face + 4 <= faces_.data() + piece.endFace; ++place) {
+    const CellFaces& which = facesOf(place);
+    const auto& faces = facesOfCell_[cells_[place]];
+    for (std::size_t i = 0; i < 4; ++i) face[i] = faces[which.place[i]];
+    face += which.count;
+  }
+  for (; place < piece.endCell; ++place) {
+    const CellFaces& which = facesOf(place);
+    for (std::size_t i = 0; i < which.count; ++i) *face++ = facesOfCell_[cells_[place]][which.place[i]];
   }
 }
 

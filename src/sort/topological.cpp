@@ -140,17 +140,19 @@ TopologicalSorter::TopologicalSorter(const SortInput& input)
 
 void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
                                      const std::function<void(std::size_t)>& ready) {
-  view_ = view;
   order.faces.resize(input_.faces->size());
-  const bool sidesChanged = findSides(), startsChanged = findStarts();
+  if (!isSearched_ || view != view_) {
+    view_ = view;
+    const bool sidesChanged = findSides(), startsChanged = findStarts();
+    isSearched_ = isSearched_ && !sidesChanged && !startsChanged;
+  }
   FacePieces pieces(input_.faces->ofCell, marks_, cells_, order.faces, ready);
-  if (sidesChanged || startsChanged || !isSearched_) {
-    isSearched_ = false;
+  if (isSearched_) {
+    for (const FacePieces::Piece& piece : pieces_) pieces.add(piece);
+  } else {
     marks_ = sides_;
     search(pieces);
     isSearched_ = true;
-  } else {
-    for (const FacePieces::Piece& piece : pieces_) pieces.add(piece);
   }
   pieces.finish();
   order.cycles = search_.cycles();

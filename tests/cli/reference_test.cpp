@@ -71,7 +71,7 @@ TEST_F(Reference, AgreesWithTheKBufferOutsideTheMask) {
         most = std::max(most, std::abs(r.rgba[i] - k.rgba[i]));
         seen = std::max(seen, r.rgba[i]);
       }
-      EXPECT_LE(most, 1e-3f) << projection << ' ' << field;  // the table of 128^3 is interpolated
+      EXPECT_LE(most, 1e-3f) << projection << ' ' << field;  // the table is interpolated
       EXPECT_GT(seen, 0.1f);
     }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/drawing.h"
+#include "render/changes_k.h"
 #include "support/gl_test.h"
 
 namespace havs::test {
@@ -60,6 +61,49 @@ TEST_P(KSearch, FindsTheSmallestWithEarlyTermination) {
   for (double opacity : {0.3, 0.9}) {
     scene.earlyTermination = opacity;
     EXPECT_EQ(searched(scene, mesh), smallestByTrying(scene, mesh)) << opacity;
+  }
+}
+
+TEST_P(KSearch, BuildsTheTableOnceForAllItsTries) {
+  Scene scene = sceneOf("none");
+  scene.transferFunction = "viridis";
+  scene.lookup = "3d";
+  scene.tableSize = 8;
+  scene.earlyTermination = 0.999;  // each k is tried, with the scene's own lookup
+  StageTimes stages;
+  const PreparedScene prepared = prepareScene(scene, withSmoothField(box(5, Cut::six, 0.25)), stages);
+  const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+  int tables = 0, tries = 0;
+  const Progress progress = [&](std::string_view step, double done) {
+    tables += step == "table" && done == 1.0;
+    tries += step == "searching k" && done < 1.0;
+  };
+  Capabilities capabilities = capabilitiesOf(*device_);
+  capabilities.maximumDrawBuffers = 3;
+  EXPECT_EQ(searchK(scene, prepared, view, capabilities, progress), 4);
+  EXPECT_EQ(tables, 1);
+  EXPECT_EQ(tries, 3);
+}
+
+/// What is kept from one k to the next changes nothing.
+TEST_P(KSearch, DrawsTheSameAfterAChangeOfK) {
+  Scene scene = sceneOf("centroid");
+  scene.transferFunction = "viridis";
+  scene.lookup = Scene{}.lookup;
+  StageTimes stages;
+  const PreparedScene prepared = prepareScene(scene, withSmoothField(box(4, Cut::six, 0.25)), stages);
+  const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+  const auto planFor = [&](int k) {
+    scene.k = k;
+    return plan(scene, prepared.facts(), capabilitiesOf(*device_));
+  };
+  const auto renderer = makeRenderer(prepared, planFor(3), stages);
+  for (const int k : {1, 6, 3}) {
+    dynamic_cast<ChangesK&>(*renderer).changeK(planFor(k));
+    const havs::Drawing changed = renderer->draw(view, stages);
+    const havs::Drawing fresh = makeRenderer(prepared, planFor(k), stages)->draw(view, stages);
+    EXPECT_EQ(changed.image.rgba, fresh.image.rgba) << k;
+    EXPECT_EQ(changed.certificate->count, fresh.certificate->count) << k;
   }
 }
 

@@ -23,8 +23,9 @@ std::vector<fs::path> candidates() {
 void* openModule() {
   setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);  // the pool of threads is the parent's
   std::string problems;
+  // Lazy: of a hundred libraries one reader is used, and binding all their symbols costs a third of the loading.
   for (const fs::path& file : candidates()) {
-    if (void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
+    if (void* module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL)) return module;
     problems += (problems.empty() ? "" : "; ") + std::string(dlerror());
   }
   failRunning("the module that reads VTK's formats cannot be opened (" + problems + ")", "",

@@ -6,6 +6,7 @@
 #include "mesh/vtu/vtu_data.h"
 
 #include <libdeflate.h>
+#include <lz4.h>
 
 #include <algorithm>
 #include <atomic>
@@ -57,6 +58,22 @@ struct FreeDecompressor {
   void operator()(libdeflate_decompressor* d) const { libdeflate_free_decompressor(d); }
 };
 
+bool inflate(std::span<const std::byte> packed, std::span<std::byte> bytes) {
+  thread_local const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
+      libdeflate_alloc_decompressor());
+  return decompressor && libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(), bytes.data(),
+                                                    bytes.size(), nullptr) == LIBDEFLATE_SUCCESS;
+}
+
+bool unpackLz4(std::span<const std::byte> packed, std::span<std::byte> bytes) {
+  if (packed.size() > LZ4_MAX_INPUT_SIZE || bytes.size() > LZ4_MAX_INPUT_SIZE) return false;
+  return LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data()), reinterpret_cast<char*>(bytes.data()),
+                             static_cast<int>(packed.size()),
+                             static_cast<int>(bytes.size())) == static_cast<int>(bytes.size());
+}
+
+using Unpack = bool (*)(std::span<const std::byte> packed, std::span<std::byte> bytes);
+
 class CompressedData : public VtuData {
  public:
   struct Blocks {
@@ -64,8 +81,8 @@ class CompressedData : public VtuData {
     std::size_t bytes = 0;           ///< of a block when it is inflated
     std::size_t lastBytes = 0;       ///< of the last one
   };
-  CompressedData(ByteStream stream, Blocks blocks, std::size_t bytesEach)
-      : stream_(stream), blocks_(std::move(blocks)), bytesEach_(bytesEach) {}
+  CompressedData(ByteStream stream, Blocks blocks, std::size_t bytesEach, Unpack unpack)
+      : stream_(stream), blocks_(std::move(blocks)), bytesEach_(bytesEach), unpack_(unpack) {}
 
   bool visit(const Sink& sink) const override {
     const std::size_t count = blocks_.begin.size() - 1;
@@ -74,7 +91,7 @@ class CompressedData : public VtuData {
       thread_local std::vector<std::byte> packed, bytes;
       packed.resize(blocks_.begin[block + 1] - blocks_.begin[block]);
       bytes.resize(block + 1 == count ? blocks_.lastBytes : blocks_.bytes);
-      if (!stream_.read(blocks_.begin[block], packed) || !inflate(packed, bytes) ||
+      if (!stream_.read(blocks_.begin[block], packed) || !unpack_(packed, bytes) ||
           !sink(block * (blocks_.bytes / bytesEach_), bytes))
         good = false;
     });
@@ -82,16 +99,10 @@ class CompressedData : public VtuData {
   }
 
  private:
-  static bool inflate(std::span<const std::byte> packed, std::span<std::byte> bytes) {
-    thread_local const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
-        libdeflate_alloc_decompressor());
-    return decompressor && libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(), bytes.data(),
-                                                      bytes.size(), nullptr) == LIBDEFLATE_SUCCESS;
-  }
-
   ByteStream stream_;
   Blocks blocks_;
   std::size_t bytesEach_;
+  Unpack unpack_;
 };
 
 std::unique_ptr<VtuData> openPlain(const ByteStream& stream, std::size_t headerBytes, std::size_t count,
@@ -106,7 +117,7 @@ std::unique_ptr<VtuData> openPlain(const ByteStream& stream, std::size_t headerB
 
 std::optional<CompressedData::Blocks> blocksOf(const ByteStream& stream, std::size_t headerBytes, std::size_t bytes,
                                                std::size_t bytesEach) {
-  constexpr std::size_t kMostThatZipShrinks = 1100;  // deflate packs 1032 bytes into one at best
+  constexpr std::size_t kMostThatZipShrinks = 1100;  // deflate packs 1032 bytes into one at best, LZ4 255
   std::size_t head[3];
   if (!readHeader(stream, headerBytes, head)) return {};
   const auto [count, blockBytes, rest] = head;
@@ -131,11 +142,12 @@ std::unique_ptr<VtuData> openVtuData(const FileBlocks& file, const VtuLayout& la
   if (array.coding == DataCoding::ascii) return openAsciiData(file, array, count);
   const std::size_t bytesEach = sizeOf(array.type);
   const ByteStream stream(file, array.begin, array.end, array.coding == DataCoding::base64);
-  if (!layout.compressed) return openPlain(stream, layout.headerBytes, count, bytesEach);
+  if (layout.compressor == Compressor::none) return openPlain(stream, layout.headerBytes, count, bytesEach);
   auto blocks = blocksOf(stream, layout.headerBytes, count * bytesEach, bytesEach);
   if (!blocks) return {};
   const std::size_t header = layout.headerBytes * (2 + blocks->begin.size());
-  return std::make_unique<CompressedData>(stream.behind(header), std::move(*blocks), bytesEach);
+  return std::make_unique<CompressedData>(stream.behind(header), std::move(*blocks), bytesEach,
+                                          layout.compressor == Compressor::zlib ? inflate : unpackLz4);
 }
 
 }  // namespace havs

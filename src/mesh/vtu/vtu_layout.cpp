@@ -23,6 +23,8 @@ constexpr std::array<std::pair<std::string_view, NumberType>, 10> kTypes{{{"Int8
                                                                           {"Float32", NumberType::float32},
                                                                           {"Float64", NumberType::float64}}};
 
+constexpr std::array<std::pair<std::string_view, Compressor>, 3> kCompressors{
+    {{"", Compressor::none}, {"vtkZLibDataCompressor", Compressor::zlib}, {"vtkLZ4DataCompressor", Compressor::lz4}}};
 constexpr std::array<std::string_view, 6> kVersions{"0.1", "1.0", "2.0", "2.1", "2.2", "2.3"};
 
 std::optional<std::size_t> number(std::string_view text) {
@@ -55,10 +57,11 @@ class LayoutReader {
     const std::string header = tag->attribute("header_type", "UInt32");
     const std::string compressor = tag->attribute("compressor");
     layout_.headerBytes = header == "UInt64" ? 8 : 4;
-    layout_.compressed = !compressor.empty();
+    const auto known = std::ranges::find(kCompressors, compressor, &decltype(kCompressors)::value_type::first);
+    if (known == kCompressors.end()) return false;
+    layout_.compressor = known->second;
     return tag->attribute("type") == "UnstructuredGrid" && tag->attribute("byte_order") == "LittleEndian" &&
-           std::ranges::find(kVersions, version) != kVersions.end() && (header == "UInt32" || header == "UInt64") &&
-           (compressor.empty() || compressor == "vtkZLibDataCompressor");
+           std::ranges::find(kVersions, version) != kVersions.end() && (header == "UInt32" || header == "UInt64");
   }
 
   bool enter(const char* name) {

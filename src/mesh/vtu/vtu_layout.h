@@ -14,6 +14,9 @@ enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64
 /// Bytes of a number.
 std::size_t sizeOf(NumberType type);
 
+/// How blocks of an array are packed.
+enum class Compressor { none, zlib, lz4 };
+
 enum class DataCoding { ascii, base64, raw };
 
 /// A DataArray and where in the file its data begin.
@@ -30,13 +33,13 @@ struct VtuLayout {
   std::size_t points = 0;
   std::size_t cells = 0;
   std::size_t headerBytes = 4;  ///< of a number in the header of an array
-  bool compressed = false;      ///< by zlib, in blocks
+  Compressor compressor = Compressor::none;
   VtuArray coordinates, connectivity, offsets, types;
   std::vector<VtuArray> pointData, cellData;
 };
 
 /// The layout of a file of one piece, little endian, without ghosts, time steps and arrays that are not numeric, its
-/// numbers plain or compressed by zlib: what nearly all .vtu files are. Nothing for any other file, broken ones
+/// numbers plain or compressed by zlib or LZ4: what nearly all .vtu files are. Nothing for any other file, broken ones
 /// included. Source: "VTK XML Formats", Kitware, and vtkXMLUnstructuredGridWriter.
 std::optional<VtuLayout> vtuLayout(const FileBlocks& file);
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/parallel.h"
+#include "render/fragment_values.h"
 #include "render/gl/mesh_buffers.h"
 
 namespace havs {

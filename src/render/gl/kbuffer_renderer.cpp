@@ -1,10 +1,12 @@
 // The k-buffer on OpenGL: clear the targets, draw every face in order through kbuffer.frag, flush what is left, read
 // the colour back; tile by tile where a picture is larger than its targets may be.
 #include <algorithm>
+#include <functional>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/check.h"
 #include "gl/program_cache.h"
+#include "render/changes_k.h"
 #include "render/gl/certificate_counter.h"
 #include "render/gl/drawing_steps.h"
 #include "render/gl/kbuffer_targets.h"
@@ -44,15 +46,15 @@ ShaderOptions insertOptions(const RenderPlan& plan, bool lateFlag) {
   return options;
 }
 
-class KBufferRenderer final : public Renderer {
+class KBufferRenderer final : public Renderer, public ChangesK {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn)),
         lateFlag_(lateFlagFor(prepared, plan)),
-        insert_(programs_.get("faces.vert", "kbuffer.frag", insertOptions(plan, lateFlag_.has_value()))),
-        flush_(programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan))) {
+        insert_(insertProgram()),
+        flush_(flushProgram()) {
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
@@ -73,6 +75,13 @@ class KBufferRenderer final : public Renderer {
       if (better) drawing = drawInOrder(view, times);
     }
     return drawing;
+  }
+
+  void changeK(const RenderPlan& plan) override {
+    plan_ = plan;
+    insert_ = insertProgram();
+    flush_ = flushProgram();
+    targets_.reset();
   }
 
  private:
@@ -110,6 +119,13 @@ class KBufferRenderer final : public Renderer {
     return lateFlag_->read<std::uint32_t>(1)[0] != 0;
   }
 
+  const Program& insertProgram() {
+    return programs_.get("faces.vert", "kbuffer.frag", insertOptions(plan_, lateFlag_.has_value()));
+  }
+  const Program& flushProgram() {
+    return programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan_));
+  }
+
   void makeTargets(int width, int height) {
     if (targets_ && targets_->width() == width && targets_->height() == height) return;
     targets_.reset();
@@ -124,7 +140,7 @@ class KBufferRenderer final : public Renderer {
       setUniforms(insert_, view, tile);
       if (counter_) counter_->begin(insert_, tile);
       if (lateFlag_) lateFlag_->bindBase(GL_SHADER_STORAGE_BUFFER, kLateFragmentsBinding);
-      mesh_->drawInBatches([&](std::size_t first) { insert_.set("firstFace", static_cast<int>(first)); });
+      mesh_->drawInBatches([&](std::size_t first) { insert_.get().set("firstFace", static_cast<int>(first)); });
       if (counter_) counter_->end();
       glFinish();
     });
@@ -155,8 +171,8 @@ class KBufferRenderer final : public Renderer {
   FaceOrder order_;
   ProgramCache programs_;
   std::optional<Buffer> lateFlag_;  ///< whether any fragment came late
-  const Program& insert_;
-  const Program& flush_;
+  std::reference_wrapper<const Program> insert_;
+  std::reference_wrapper<const Program> flush_;
   VertexArray emptyArray_{"no vertices"};
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;

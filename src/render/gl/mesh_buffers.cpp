@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "gl/fence.h"
+#include "render/fragment_values.h"
 
 namespace havs {
 namespace {
@@ -39,40 +40,6 @@ std::vector<Index> numberBoundaryCopies(const Faces& faces, std::size_t pointCou
 
 }  // namespace
 
-std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared) {
-  std::vector<std::array<float, 2>> behind(prepared.faces.size());
-  parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
-    const auto [in, out] = prepared.faces.cells[f];
-    behind[f] = {static_cast<float>(prepared.scalars[in]),
-                 out == kNoIndex ? 0.0f : static_cast<float>(prepared.scalars[out])};
-  });
-  return behind;
-}
-
-namespace {
-
-using ColorAndExtinction = std::array<float, 4>;
-
-/// At a normalised scalar; extinction as a fraction of the largest of the transfer function.
-ColorAndExtinction colorAt(const ExtinctionCurve& curve, double scalar) {
-  const ExtinctionCurve::Knot knot = curve.at(scalar);
-  const double fraction = curve.maximumKappa > 0 ? knot.kappa / curve.maximumKappa : 0.0;
-  return {static_cast<float>(knot.color[0]), static_cast<float>(knot.color[1]), static_cast<float>(knot.color[2]),
-          static_cast<float>(fraction)};
-}
-
-std::vector<std::array<ColorAndExtinction, 2>> colorsBehindFaces(const PreparedScene& prepared) {
-  std::vector<std::array<ColorAndExtinction, 2>> behind(prepared.faces.size());
-  parallelFor(0, behind.size(), 16384, [&](std::size_t f) {
-    const auto [in, out] = prepared.faces.cells[f];
-    behind[f] = {colorAt(prepared.curve, prepared.scalars[in]),
-                 out == kNoIndex ? ColorAndExtinction{} : colorAt(prepared.curve, prepared.scalars[out])};
-  });
-  return behind;
-}
-
-}  // namespace
-
 MeshBuffers::MeshBuffers(const PreparedScene& prepared, Payload carries)
     : faces_(prepared.faces), indices_("face indices", prepared.faces.size() * sizeof(Triangle)), array_("faces") {
   uploadVertices(prepared, carries);
@@ -102,10 +69,9 @@ void MeshBuffers::uploadVertices(const PreparedScene& prepared, Payload carries)
   });
   vertices_ = Buffer::of("points", vertices);
   if (carries != Payload::color || !pointData) return;
-  std::vector<ColorAndExtinction> colors(vertices.size());
-  parallelFor(0, colors.size(), 4096, [&](std::size_t i) {
-    colors[i] = colorAt(prepared.curve, prepared.scalars[i < pointCount ? i : copied[i - pointCount]]);
-  });
+  std::vector<ColorAndExtinction> colors = colorsOfPoints(prepared);
+  colors.reserve(vertices.size());
+  for (const Index p : copied) colors.push_back(colors[p]);
   colors_ = Buffer::of("colours of points", colors);
 }
 

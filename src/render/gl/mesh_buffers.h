@@ -15,9 +15,6 @@ namespace havs {
 /// what waits (docs/llvmpipe.md).
 void drawInBatches(std::size_t faces, const std::function<void(std::size_t first, std::size_t count)>& draw);
 
-/// Cell data: of each face the scalars of the cells behind it as seen from its front and from its back, 0 for none.
-std::vector<std::array<float, 2>> scalarsBehindFaces(const PreparedScene& prepared);
-
 /// The mesh in the memory of OpenGL: its points once, its faces anew in each picture's order.
 /// Points of boundary faces are there a second time, behind all others, so that the vertex shader can tell such faces
 /// by their vertex numbers.

@@ -2,10 +2,10 @@
 // Faces made ready for a tile, sixteen at a time: the loops over a batch are simple enough for the compiler to put on
 // SIMD lanes. Included by tile_kernel.h.
 //
-// With the corners as homogeneous points (x, y, w), each edge has the function E(x, y) of raster/edge_function.h, positive
-// inside for one sense of the face. What is linear on the face in space, such as the depth, is at a pixel (sum of the
-// corners' values times the opposite edges' E) / (sum of the E). All is set up in double relative to the first stamp of
-// the face in the tile, so that float keeps the place across the face.
+// With the corners as homogeneous points (x, y, w), each edge has the function E(x, y) of raster/edge_function.h,
+// positive inside for one sense of the face. What is linear on the face in space, such as the depth, is at a pixel (sum
+// of the corners' values times the opposite edges' E) / (sum of the E). All is set up in double relative to the first
+// stamp of the face in the tile, so that float keeps the place across the face.
 #include <cmath>
 #include <cstdint>
 
@@ -70,7 +70,7 @@ struct FaceBatch {
   int left[kBatch], top[kBatch], right[kBatch], bottom[kBatch];  ///< pixels of the tile, both ends included
 
   alignas(64) Doubles x[3], y[3], w[3], column[3], row[3];
-  alignas(64) Doubles value[1 + kAttributes][3];  ///< at the corners: depth, attributes
+  alignas(64) Doubles value[1 + kAttributes][3];                         ///< at the corners: depth, attributes
   alignas(64) Doubles atOriginD[3], perXD[3], perYD[3], error[3], sign;  ///< of the edges opposite to the corners
 
   alignas(64) Floats atOrigin[kFunctions], perX[kFunctions], perY[kFunctions];

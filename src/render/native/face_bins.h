@@ -42,9 +42,9 @@ class FaceBins {
   std::vector<TileBox> boxes_;
   std::span<const Index> order_;
   const Faces* faces_ = nullptr;
-  std::size_t blocks_ = 0;               ///< of the order, each binned by one thread
-  std::vector<std::uint32_t> counts_;    ///< of each block and tile: block * tiles + tile
-  std::vector<std::size_t> ofTile_;      ///< pairs of each tile
+  std::size_t blocks_ = 0;             ///< of the order, each binned by one thread
+  std::vector<std::uint32_t> counts_;  ///< of each block and tile: block * tiles + tile
+  std::vector<std::size_t> ofTile_;    ///< pairs of each tile
   std::size_t pairs_ = 0;
   std::size_t firstTile_ = 0, lastTile_ = 0;  ///< that are filled
   std::vector<std::size_t> begins_;           ///< of the filled tiles' lists, and the end

@@ -1,8 +1,8 @@
 // Compiled once for each instruction set (CMakeLists.txt): HAVS_KERNELS names the function, HAVS_SIMD_ARCH the lanes.
 #include "render/native/kernel_sets.h"
-#include "render/native/tile_kernel.h"
 #include "render/native/segment_kernels.h"
 #include "render/native/simd.h"
+#include "render/native/tile_kernel.h"
 
 namespace havs {
 namespace {

@@ -16,8 +16,9 @@ struct LookupData {
   /// A uniform of the shaders: a table or a number.
   struct Uniform {
     std::uint64_t key = 0;          ///< nameKey of its name
-    const float* values = nullptr;  ///< of a table, first axis fastest; 4 numbers an entry where it is filtered
+    const float* values = nullptr;  ///< of a table; 4 numbers an entry where it is filtered
     std::int32_t size[3]{};         ///< entries along its axes
+    std::int32_t step[3]{};         ///< from an entry to its neighbour along each, in entries; along the last 1
     float number = 0;
   };
   static constexpr int kMostUniforms = 24;

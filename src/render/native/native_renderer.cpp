@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "render/fragment_values.h"
 #include "render/make_renderer.h"
 #include "render/native/kernels.h"
 #include "render/native/renderers.h"
@@ -18,7 +19,7 @@
 namespace havs {
 namespace {
 
-constexpr int kTileSide = 64;
+constexpr int kTileSide = 64;  // at most kLargestTileStamps stamps
 /// (Tile, face) pairs that are kept at once, 4 bytes each: many more than faces only where faces cover many tiles.
 constexpr std::size_t kMostPairs = std::size_t{1} << 25;
 /// Largest k of the kernels that flag pixels instead of dropping fragments: most orders need no more.
@@ -30,9 +31,7 @@ class NativeKBufferRenderer final : public Renderer {
  public:
   NativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                         const Progress& progress)
-      : prepared_(prepared),
-        plan_(plan),
-        sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::asInWhole)) {
+      : prepared_(prepared), plan_(plan), sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn)) {
     const InstructionSet& instructions = instructionSet(plan.instructionSet);
     {
       const ScopedStage timer(stages, "table");
@@ -56,7 +55,7 @@ class NativeKBufferRenderer final : public Renderer {
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     mesh_.width = view.width;
     mesh_.height = view.height;
-    const TileGrid grid = tileGrid(view.width, view.height, kTileSide);
+    const TileGrid grid = tileGrid(view.width, view.height, plan_.tileWidth);
     {
       const ScopedStage timer(stages, "order");
       tbb::parallel_invoke([&] { sorter_->sort(viewPointOf(view), order_); },
@@ -65,6 +64,22 @@ class NativeKBufferRenderer final : public Renderer {
                              bins_.findTiles(mesh_, prepared_.faces.size(), grid);
                            });
     }
+    bool late = false;
+    Drawing drawing = drawInOrder(view, grid, stages, progress, late);
+    if (late) {
+      bool better = false;
+      {
+        const ScopedStage timer(stages, "order");
+        better = sorter_->refine(viewPointOf(view), order_);
+      }
+      if (better) drawing = drawInOrder(view, grid, stages, progress, late);
+    }
+    return drawing;
+  }
+
+ private:
+  Drawing drawInOrder(const View& view, const TileGrid& grid, StageTimes& stages, const Progress& progress,
+                      bool& late) {
     Drawing drawing;
     drawing.image.width = view.width;
     drawing.image.height = view.height;
@@ -75,16 +90,27 @@ class NativeKBufferRenderer final : public Renderer {
       bins_.count(order_.faces, prepared_.faces);
     }
     const ScopedStage timer(stages, "draw");
-    drawTiles(view, grid, drawing, progress);
+    late = drawTiles(view, grid, drawing, progress);
     drawing.cycles = order_.cycles;
     drawing.tiles = grid.count();
     return drawing;
   }
 
- private:
   void prepareMesh() {
     mesh_.faces = reinterpret_cast<const std::uint32_t(*)[3]>(prepared_.faces.vertices.data());
     mesh_.cellData = prepared_.facts().cellData;
+    if (plan_.lookup.carries == Payload::color) {
+      if (mesh_.cellData) {
+        colorsBehind_ = colorsBehindFaces(prepared_);
+        mesh_.colors = reinterpret_cast<const float(*)[4]>(colorsBehind_.data());
+      } else {
+        colors_ = colorsOfPoints(prepared_);
+        mesh_.colors = reinterpret_cast<const float(*)[4]>(colors_.data());
+      }
+    } else if (mesh_.cellData) {
+      behind_ = scalarsBehindFaces(prepared_);
+      mesh_.behind = reinterpret_cast<const float(*)[2]>(behind_.data());
+    }
   }
 
   void placePoints(const View& view) {
@@ -99,27 +125,28 @@ class NativeKBufferRenderer final : public Renderer {
     mesh_.points = points_.data();
   }
 
-  void drawTiles(const View& view, const TileGrid& grid, Drawing& drawing, const Progress&) {
+  /// Returns whether fragments came late.
+  bool drawTiles(const View& view, const TileGrid& grid, Drawing& drawing, const Progress&) {
     tbb::enumerable_thread_specific<TileWorker> workers([&] { return TileWorker(mesh_, view, grid, setting_); });
     for (std::size_t first = 0; first < grid.count();) {
       const std::size_t last = bins_.fill(first, kMostPairs);
       parallelFor(first, last, 1, [&](std::size_t tile) { workers.local().draw(tile, bins_.facesOf(tile), drawing); });
       first = last;
     }
-    std::uint64_t fragments = 0, redrawn = 0;
+    std::uint64_t fragments = 0, late = 0;
     for (const TileWorker& worker : workers) {
       fragments += worker.fragments();
-      redrawn += worker.redrawnPixels();
+      late += worker.lateFragments();
     }
     drawing.fragments = fragments;
-    if (getenv("HAVS_STAT")) fprintf(stderr, "fragments %zu redrawn %zu\n", size_t(fragments), size_t(redrawn));
     if (drawing.certificate) {
       drawing.certificate->fragments = fragments;
-      for (const std::uint32_t late : drawing.certificate->count) {
-        drawing.certificate->misordered += late;
-        drawing.certificate->pixels += late > 0 ? 1 : 0;
+      for (const std::uint32_t ofPixel : drawing.certificate->count) {
+        drawing.certificate->misordered += ofPixel;
+        drawing.certificate->pixels += ofPixel > 0 ? 1 : 0;
       }
     }
+    return late > 0;
   }
 
   const PreparedScene& prepared_;
@@ -129,6 +156,9 @@ class NativeKBufferRenderer final : public Renderer {
   TileSetting setting_;
   RasterMesh mesh_{};
   std::vector<RasterPoint> points_;
+  std::vector<std::array<float, 2>> behind_;  // cell data
+  std::vector<ColorAndExtinction> colors_;    // Payload::color
+  std::vector<std::array<ColorAndExtinction, 2>> colorsBehind_;
   FaceOrder order_;
   FaceBins bins_;
 };
@@ -143,8 +173,7 @@ void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities&
   plan.targetFormat = targetFormat(scene.targetFormat);
   const int attributes = plan.lookup.carries == Payload::color ? 4 : 1;
   plan.bytesPerPixel = 4 * (4 + 1 + 2 + plan.k * (2 + attributes)) + (plan.certificate ? 4 : 0);
-  plan.tileWidth = std::min(scene.width, kTileSide);
-  plan.tileHeight = std::min(scene.height, kTileSide);
+  plan.tileWidth = plan.tileHeight = kTileSide;
 }
 
 std::unique_ptr<Renderer> makeNativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan,

@@ -19,6 +19,9 @@
 #define HAVS_OPAQUE_SURFACES
 
 namespace havs {
+
+static_assert(sizeof(SegmentQueue::front) == 4 * SegmentQueue::kRoom * sizeof(float));
+
 namespace {
 
 using Lanes = SimdLanes;
@@ -51,10 +54,14 @@ struct Shading {
   static bool anyLane(Mask mask) { return Lanes::anyLane(mask); }
   static Int toInt(Real x) { return Lanes::toInt(x); }
 
+  /// The first of a colour's channels in the queue, read only by lookups that ask for it.
   struct Payload {
-    Rgba color;
+    const float* channels;
   };
-  static Rgba colorOf(const Payload& payload) { return payload.color; }
+  static Rgba colorOf(Payload payload) {
+    const auto channel = [&](std::size_t c) { return Lanes::load(payload.channels + c * SegmentQueue::kRoom); };
+    return {channel(0), channel(1), channel(2), channel(3)};
+  }
 
   const LookupData& data;
   const int lookupNumber = data.lookupNumber;
@@ -67,13 +74,9 @@ struct Shading {
 };
 
 Shading::Segment segmentAt(const SegmentQueue& queue, std::size_t i) {
-  const auto color = [i](const auto& channels) {
-    return Shading::Payload{{Lanes::load(channels[0].data() + i), Lanes::load(channels[1].data() + i),
-                             Lanes::load(channels[2].data() + i), Lanes::load(channels[3].data() + i)}};
-  };
   Shading::Segment segment;
-  segment.front = color(queue.front);
-  segment.back = color(queue.back);
+  segment.front = {queue.front[0].data() + i};
+  segment.back = {queue.back[0].data() + i};
   segment.scalarFront = Lanes::load(queue.scalarFront.data() + i);
   segment.scalarBack = Lanes::load(queue.scalarBack.data() + i);
   segment.length = Lanes::load(queue.length.data() + i);
@@ -91,7 +94,7 @@ void fillLastLanes(SegmentQueue& queue) {
 
 }  // namespace
 
-void HAVS_SEGMENT_KERNEL(HAVS_LOOKUP_NAME)(const LookupData& data, SegmentQueue& queue) {
+[[gnu::flatten]] void HAVS_SEGMENT_KERNEL(HAVS_LOOKUP_NAME)(const LookupData& data, SegmentQueue& queue) {
   Shading shading{data};
   fillLastLanes(queue);
   for (std::size_t i = 0; i < queue.count; i += Lanes::kLanes)

@@ -1,13 +1,14 @@
 #include "render/native/segment_shader.h"
 
 #include <algorithm>
-#include <cstring>
+#include <deque>
 #include <string>
 
 #include "core/error.h"
 #include "render/lookup_resources.h"
 #include "render/native/kernels.h"
 #include "render/native/lookup_data.h"
+#include "render/native/table_layout.h"
 
 namespace havs {
 namespace {
@@ -22,10 +23,11 @@ LookupData::Uniform& addUniform(LookupData& data, const std::string& name) {
 
 void addNumber(LookupData& data, const std::string& name, float number) { addUniform(data, name).number = number; }
 
-void addTable(LookupData& data, const std::string& name, const ResourceTable& table) {
+void addTable(LookupData& data, const std::string& name, const LaidOutTable& table) {
   LookupData::Uniform& uniform = addUniform(data, name);
   uniform.values = table.values.data();
-  for (std::size_t axis = 0; axis < table.sizes.size(); ++axis) uniform.size[axis] = table.sizes[axis];
+  std::copy(table.sizes.begin(), table.sizes.end(), uniform.size);
+  std::copy(table.steps.begin(), table.steps.end(), uniform.step);
 }
 
 SegmentKernel kernelOf(const Lookup& lookup, const InstructionSet& instructions) {
@@ -40,7 +42,7 @@ SegmentKernel kernelOf(const Lookup& lookup, const InstructionSet& instructions)
 }  // namespace
 
 struct SegmentShader::Data {
-  std::vector<ResourceData> resources;  // that `lookup` points into
+  std::deque<LaidOutTable> tables;  // that `lookup` points into
   LookupData lookup;
   SegmentKernel kernel;
 };
@@ -49,10 +51,10 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
                              const Progress& progress)
     : data_(std::make_unique<Data>()) {
   data_->kernel = kernelOf(plan.lookup, instructions);
-  data_->resources = makeResources(prepared, plan, progress);
   LookupData& lookup = data_->lookup;
-  for (const ResourceData& resource : data_->resources) {
-    for (const auto& [name, table] : resource.tables) addTable(lookup, name, table);
+  for (ResourceData& resource : makeResources(prepared, plan, progress)) {
+    for (auto& [name, table] : resource.tables)
+      addTable(lookup, name, data_->tables.emplace_back(layOut(std::move(table))));
     for (const auto& [name, number] : resource.numbers) addNumber(lookup, name, number);
   }
   if (plan.lookup.carries == Payload::color)
@@ -62,6 +64,7 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
   lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries == Payload::scalar;
 }
 
+SegmentShader::SegmentShader(SegmentShader&& other) noexcept = default;
 SegmentShader::~SegmentShader() = default;
 
 void SegmentShader::shade(SegmentQueue& queue) const { data_->kernel(data_->lookup, queue); }

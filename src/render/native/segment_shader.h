@@ -15,6 +15,7 @@ class SegmentShader {
  public:
   SegmentShader(const PreparedScene& prepared, const RenderPlan& plan, const InstructionSet& instructions,
                 const Progress& progress = {});
+  SegmentShader(SegmentShader&& other) noexcept;
   ~SegmentShader();
 
   /// Writes `rgba` of the queue's first `count` segments. From any number of threads, each with a queue of its own.

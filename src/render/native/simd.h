@@ -39,9 +39,12 @@ struct ScalarLanes {
   static Int gatherInt(const std::int32_t* base, Int index) { return base[index]; }
   static unsigned bitsOf(Mask mask) { return mask ? 1u : 0u; }
   static Mask maskOf(unsigned bits) { return (bits & 1u) != 0; }
+  static Real least(Real a, Real b) { return a < b ? a : b; }
+  static Int loadInts(const std::int32_t* from) { return *from; }
   /// Writes the values of the lanes of `mask`, whose bits are `bits`, one behind the other; up to kLanes numbers behind
   /// them may be written, too.
   static void compress(float* to, Real value, Mask, unsigned) { *to = value; }
+  static void compressInts(std::int32_t* to, Int value, Mask, unsigned) { *to = value; }
 };
 
 #if defined(HAVS_SIMD_ARCH)
@@ -102,6 +105,19 @@ struct SimdLanes {
     const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
     const __m128i set = _mm_and_si128(_mm_set1_epi32(static_cast<int>(bits)), bit);
     return _mm_castsi128_ps(_mm_cmpeq_epi32(set, bit));
+#endif
+  }
+  static Real least(Real a, Real b) { return xsimd::min(a, b); }
+  static Int loadInts(const std::int32_t* from) { return Int::load_unaligned(from); }
+  static void compressInts(std::int32_t* to, Int value, Mask mask, unsigned bits) {
+#if defined(__AVX512F__)
+    (void)bits;
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, value));
+#else
+    (void)mask;
+    alignas(32) std::int32_t lanes[kLanes];
+    value.store_aligned(lanes);
+    for (; bits != 0; bits &= bits - 1) *to++ = lanes[std::countr_zero(bits)];
 #endif
   }
   static void compress(float* to, Real value, Mask mask, unsigned bits) {

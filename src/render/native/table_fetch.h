@@ -14,11 +14,37 @@ inline RgbaLanes rgbaAt(const Texels& texels, SimdLanes::Int i) { return loadRgb
 inline SimdLanes::Real numberAt(const Texels& texels, SimdLanes::Int i) { return SimdLanes::gather(texels.values, i); }
 inline float scalarAt(const Texels& texels, int i) { return texels.values[i]; }
 
-/// Four numbers and eight in a row: g++ makes the best of them for every instruction set.
+/// Four numbers in a row: g++ makes the best of them for every instruction set.
 using Four [[gnu::vector_size(16)]] = float;
-using Eight [[gnu::vector_size(32)]] = float;
-using EightAnywhere [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
 using FourAnywhere [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+
+inline Four mixed(Four a, Four b, float share) { return a + share * (b - a); }
+
+/// Two entries in a row, of four numbers each.
+#if defined(__AVX__)
+using EightAnywhere [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+struct EntryPair {
+  using Eight [[gnu::vector_size(32)]] = float;
+  Eight both;
+  explicit EntryPair(const float* at) : both(*reinterpret_cast<const EightAnywhere*>(at)) {}
+  explicit EntryPair(Eight eight) : both(eight) {}
+  Four first() const { return __builtin_shufflevector(both, both, 0, 1, 2, 3); }
+  Four second() const { return __builtin_shufflevector(both, both, 4, 5, 6, 7); }
+};
+inline EntryPair mixed(EntryPair a, EntryPair b, float share) { return EntryPair(a.both + share * (b.both - a.both)); }
+#else
+struct EntryPair {
+  Four low, high;
+  explicit EntryPair(const float* at)
+      : low(*reinterpret_cast<const FourAnywhere*>(at)), high(*reinterpret_cast<const FourAnywhere*>(at + 4)) {}
+  EntryPair(Four low_, Four high_) : low(low_), high(high_) {}
+  Four first() const { return low; }
+  Four second() const { return high; }
+};
+inline EntryPair mixed(EntryPair a, EntryPair b, float share) {
+  return {mixed(a.low, b.low, share), mixed(a.high, b.high, share)};
+}
+#endif
 
 /// Where a number of [0, 1] lies among the entries of an axis: between `low` and the next, `share` of the way.
 struct AxisPlace {
@@ -35,17 +61,12 @@ struct AxisPlace {
 };
 
 /// Between the two entries from `at` on and their neighbours at `step`.
-inline Eight mixedPair(const float* at, std::int64_t step, float share) {
-  const Eight low = *reinterpret_cast<const EightAnywhere*>(at);
-  const Eight high = *reinterpret_cast<const EightAnywhere*>(at + step);
-  return low + share * (high - low);
+inline EntryPair pairBetween(const float* at, std::int64_t step, float share) {
+  return mixed(EntryPair(at), EntryPair(at + step), share);
 }
 
-/// Between the first four and the last four.
-inline void storeMixed(float* to, const Eight& pair, float share) {
-  const Four low = __builtin_shufflevector(pair, pair, 0, 1, 2, 3);
-  const Four high = __builtin_shufflevector(pair, pair, 4, 5, 6, 7);
-  *reinterpret_cast<FourAnywhere*>(to) = low + share * (high - low);
+inline void storeBetween(float* to, EntryPair pair, float share) {
+  *reinterpret_cast<FourAnywhere*>(to) = mixed(pair.first(), pair.second(), share);
 }
 
 /// Four floats a lane.
@@ -60,26 +81,26 @@ struct RgbaRows {
 
 inline RgbaLanes fetchTable(const Table3d& table, SimdLanes::Real x, SimdLanes::Real y, SimdLanes::Real z) {
   const AxisPlace px(x, table.size[0]), py(y, table.size[1]), pz(z, table.size[2]);
-  const Indices entry((pz.low * table.size[1] + py.low) * table.size[0] + px.low);
-  const std::int64_t row = 4 * std::int64_t{table.size[0]}, slice = row * table.size[1];
+  const Indices entry(px.low * table.step[0] + py.low * table.step[1] + pz.low);
+  const std::int64_t stepX = 4 * std::int64_t{table.step[0]}, stepY = 4 * std::int64_t{table.step[1]};
   RgbaRows rows;
   for (std::size_t i = 0; i < SimdLanes::kLanes; ++i) {
     const float* const at = table.values + 4 * std::int64_t{entry.at[i]};
-    const Eight near = mixedPair(at, row, py.share[i]);
-    const Eight far = mixedPair(at + slice, row, py.share[i]);
-    storeMixed(rows.at + 4 * i, near + pz.share[i] * (far - near), px.share[i]);
+    const EntryPair low = pairBetween(at, stepY, py.share[i]), high = pairBetween(at + stepX, stepY, py.share[i]);
+    storeBetween(rows.at + 4 * i, mixed(low, high, px.share[i]), pz.share[i]);
   }
   return rows.lanes();
 }
 
 inline RgbaLanes fetchTable(const Table2d& table, SimdLanes::Real x, SimdLanes::Real y) {
   const AxisPlace px(x, table.size[0]), py(y, table.size[1]);
-  const Indices entry(py.low * table.size[0] + px.low);
+  const Indices entry(px.low * table.step[0] + py.low);
   RgbaRows rows;
   for (std::size_t i = 0; i < SimdLanes::kLanes; ++i)
-    storeMixed(rows.at + 4 * i,
-               mixedPair(table.values + 4 * std::int64_t{entry.at[i]}, 4 * std::int64_t{table.size[0]}, py.share[i]),
-               px.share[i]);
+    storeBetween(
+        rows.at + 4 * i,
+        pairBetween(table.values + 4 * std::int64_t{entry.at[i]}, 4 * std::int64_t{table.step[0]}, px.share[i]),
+        py.share[i]);
   return rows.lanes();
 }
 

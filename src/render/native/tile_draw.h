@@ -14,6 +14,7 @@ namespace havs {
 inline constexpr int kStampSide = 4;
 inline constexpr int kStampPixels = kStampSide * kStampSide;
 inline constexpr int kLargestK = 14;
+inline constexpr int kLargestTileStamps = 64;  ///< across a tile
 
 /// A point of the mesh in the picture: a cache line.
 struct alignas(64) RasterPoint : ScreenPoint {
@@ -24,23 +25,22 @@ struct alignas(64) RasterPoint : ScreenPoint {
 /// The mesh as one view sees it.
 struct RasterMesh {
   const RasterPoint* points;
-  const std::uint32_t (*faces)[3];   ///< corners; the normal points out of the mesh where the face is on its boundary
-  const float (*behind)[2];          ///< cell data: scalars behind each face as seen from its front and its back; or null
-  const float (*colors)[4];          ///< Payload::color: of the points, or of both sides of the faces (cell data); or null
+  const std::uint32_t (*faces)[3];  ///< corners; the normal points out of the mesh where the face is on its boundary
+  const float (*behind)[2];  ///< cell data: scalars behind each face as seen from its front and its back; or null
+  const float (*colors)[4];  ///< Payload::color: of the points, or of both sides of the faces (cell data); or null
   bool cellData;
-  int width, height;                 ///< of the picture
+  int width, height;  ///< of the picture
 };
 
 /// A face of a tile's list: its number, and whether it is on the mesh's boundary.
 inline constexpr std::uint32_t kBoundaryBit = 0x80000000u;
-
 
 /// A tile being drawn by one thread. Stamps lie row by row, `stampsAcross` a row.
 struct TileDraw {
   RasterMesh mesh;
   const std::uint32_t* faces;  ///< of the tile, near first (kBoundaryBit)
   std::size_t faceCount;
-  int left, top;               ///< of the tile in the picture
+  int left, top;  ///< of the tile in the picture
   int stampsAcross, stampsDown;
 
   // Of each stamp
@@ -55,12 +55,13 @@ struct TileDraw {
   bool compositeLate;
   bool flushAlways;  ///< after every fragment, so that pixels are done exactly when their opacity says so
   std::uint64_t fragments;
+  std::uint64_t lateFragments;  ///< that a kernel of the full k has met
 
   SegmentQueue* queue;
   /// Colours the queue's segments, composites them and empties it.
   void (*flush)(TileDraw& tile);
-  const void* shader;      ///< for flush
-  float terminalOpacity;   ///< of early termination; above 1: never
+  const void* shader;     ///< for flush
+  float terminalOpacity;  ///< of early termination; above 1: never
 };
 
 }  // namespace havs

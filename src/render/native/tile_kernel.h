@@ -19,6 +19,7 @@ namespace {
 constexpr unsigned kAllLanes = 0xFFFFu;
 /// Of each lane in its stamp.
 alignas(64) constexpr float kLaneX[kStampPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr std::int32_t kLaneNumber[kStampPixels] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 alignas(64) constexpr float kLaneY[kStampPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
 template <int kAttributes, class Lanes>
@@ -44,6 +45,14 @@ class TileDrawer {
   static constexpr int kGroups = kStampPixels / kLanes;  ///< a stamp is drawn in so many groups of lanes
   static constexpr unsigned kGroupBits = kAllLanes >> (kStampPixels - kLanes);
   static constexpr int kStateNumbers = 2 + K * (2 + kAttributes);
+
+  /// A group of a stamp with pixels that the face covers, or may cover.
+  struct Touched {
+    int stamp, group;
+    unsigned sure, unsure;
+    float x, y;  ///< of the stamp, from the face's first
+  };
+  static constexpr int kMostListed = 32;  ///< before they are drawn; and those of another row of stamps
 
  public:
   explicit TileDrawer(TileDraw& tile) : tile_(tile), queue_(*tile.queue) {}
@@ -136,8 +145,7 @@ class TileDrawer {
       }
     }
     Lanes::compress(&queue_.length[at], segment.length, mask, bits);
-    std::int32_t* pixel = &queue_.pixel[at];
-    for (unsigned left = bits; left != 0; left &= left - 1) *pixel++ = firstPixel + std::countr_zero(left);
+    Lanes::compressInts(&queue_.pixel[at], Lanes::makeInt(firstPixel) + Lanes::loadInts(kLaneNumber), mask, bits);
     queue_.count = at + static_cast<std::size_t>(std::popcount(bits));
     if (queue_.count + kStampPixels > SegmentQueue::kCapacity || tile_.flushAlways) tile_.flush(tile_);
   }
@@ -180,8 +188,7 @@ class TileDrawer {
     storePixel(state, {Lanes::select(mask, pixel.inside, pixelBefore.inside),
                        Lanes::select(mask, pixel.started, pixelBefore.started)});
     for (int i = 0; i < K; ++i)
-      storeEntry(state + kFirstEntry + i * kEntryNumbers,
-                 A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
+      storeEntry(state + kFirstEntry + i * kEntryNumbers, A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
     takeSegment(segment, bits, stamp * kStampPixels + group * kLanes);
   }
 
@@ -192,6 +199,7 @@ class TileDrawer {
   }
 
   void countLate(int stamp, int group, unsigned bits) {
+    tile_.lateFragments += static_cast<unsigned>(std::popcount(bits));
     if (tile_.late == nullptr) return;
     std::uint32_t* late = tile_.late + stamp * kStampPixels + group * kLanes;
     for (; bits != 0; bits &= bits - 1) ++late[std::countr_zero(bits)];
@@ -242,8 +250,7 @@ class TileDrawer {
     const RasterMesh& mesh = tile_.mesh;
     for (int i = 0; i < 3; ++i) {
       if constexpr (kAttributes == 1) {
-        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1])
-                                          : corners.p[i]->scalar;
+        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1]) : corners.p[i]->scalar;
       } else {
         const std::size_t at = mesh.cellData ? 2 * std::size_t{face} + (entersMesh ? 0 : 1) : corners.index[i];
         value[i] = static_cast<double>(mesh.colors[at][a]);
@@ -262,28 +269,36 @@ class TileDrawer {
         edge[i][group] = (Real(f.perX[i][face]) * Lanes::load(kLaneX + group * kLanes) +
                           Real(f.perY[i][face]) * Lanes::load(kLaneY + group * kLanes)) +
                          Real(f.atOrigin[i][face]);
+    int listed = 0;
     for (int row = firstRow; row <= lastRow; ++row) {
       const float y = static_cast<float>((row - firstRow) * kStampSide);
       for (int column = firstColumn; column <= lastColumn; ++column) {
         const int stamp = row * tile_.stampsAcross + column;
         const unsigned active = tile_.active[stamp];
-        if (active == 0) continue;
         const float x = static_cast<float>((column - firstColumn) * kStampSide);
         for (int group = 0; group < kGroups; ++group) {
           auto value = [&](int i) { return edge[i][group] + Real(f.perX[i][face] * x + f.perY[i][face] * y); };
-          auto least = [](Real a, Real b) { return Lanes::select(a < b, a, b); };
-          const Real inside = least(least(value(0), value(1)), value(2));
+          const Real inside = Lanes::least(Lanes::least(value(0), value(1)), value(2));
           const unsigned bits = groupBits(active, group);
           const unsigned sure = Lanes::bitsOf(inside > Real(1.0f)) & bits;
           const unsigned unsure = Lanes::bitsOf(inside >= Real(-1.0f)) & bits & ~sure;
-          if ((sure | unsure) == 0) continue;
-          const unsigned covered = unsure == 0 ? sure : sure | decide(f.corners[face], stamp, group, unsure);
-          if (covered != 0)
-            drawGroup(face, Real(x) + Lanes::load(kLaneX + group * kLanes),
-                      Real(y) + Lanes::load(kLaneY + group * kLanes), stamp, group, covered);
+          touched_[listed] = {stamp, group, sure, unsure, x, y};
+          listed += (sure | unsure) != 0 ? 1 : 0;  // without a branch, which would often be guessed wrong
         }
       }
+      if (listed > kMostListed || row == lastRow) {
+        for (int i = 0; i < listed; ++i) drawTouched(face, touched_[i]);
+        listed = 0;
+      }
     }
+  }
+
+  void drawTouched(int face, const Touched& t) {
+    unsigned covered = t.sure;
+    if (t.unsure != 0) covered |= decide(batch_.corners[face], t.stamp, t.group, t.unsure);
+    if (covered == 0) return;
+    drawGroup(face, Real(t.x) + Lanes::load(kLaneX + t.group * kLanes),
+              Real(t.y) + Lanes::load(kLaneY + t.group * kLanes), t.stamp, t.group, covered);
   }
 
   /// (x, y): of the pixels, from the face's first stamp.
@@ -411,7 +426,8 @@ class TileDrawer {
 
   TileDraw& tile_;
   SegmentQueue& queue_;
-  Batch batch_;
+  Batch batch_{};
+  Touched touched_[kMostListed + kLargestTileStamps * kGroups + 1];
 };
 
 template <class Lanes, int K, int kAttributes, bool kSpeculative>

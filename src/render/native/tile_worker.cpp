@@ -54,7 +54,8 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
     queue_->front[static_cast<std::size_t>(i)].fill(0);
     queue_->back[static_cast<std::size_t>(i)].fill(0);
   }
-  const auto stamps = static_cast<std::size_t>(grid.side / kStampSide) * static_cast<std::size_t>(grid.side / kStampSide);
+  const auto stamps =
+      static_cast<std::size_t>(grid.side / kStampSide) * static_cast<std::size_t>(grid.side / kStampSide);
   const std::size_t pixels = stamps * kStampPixels;
   active_.resize(stamps);
   flagged_.resize(stamps);
@@ -127,7 +128,6 @@ void TileWorker::redraw(std::span<const std::uint32_t> faces) {
     }
   }
   if (pixels == 0) return;
-  redrawn_ += pixels;
   run(setting_.kernel, faces);
 }
 

@@ -28,8 +28,8 @@ class TileWorker {
   TileWorker(const RasterMesh& mesh, const View& view, const TileGrid& grid, const TileSetting& setting);
   /// Into the picture and, where it has one, its certificate's counts.
   void draw(std::size_t tile, std::span<const std::uint32_t> faces, Drawing& drawing);
-  std::uint64_t fragments() const { return fragments_; }    ///< of all tiles so far
-  std::uint64_t redrawnPixels() const { return redrawn_; }  ///< whose order the speculative kernel could not keep
+  std::uint64_t fragments() const { return fragments_; }               ///< of all tiles so far
+  std::uint64_t lateFragments() const { return tile_.lateFragments; }  ///< the same
 
  private:
   void place(std::size_t tile);
@@ -47,7 +47,7 @@ class TileWorker {
   std::vector<float> state_, rayScale_, rgba_;
   std::vector<std::uint32_t> late_;
   std::unique_ptr<SegmentQueue> queue_;
-  std::uint64_t fragments_ = 0, redrawn_ = 0;
+  std::uint64_t fragments_ = 0;
 };
 
 }  // namespace havs

@@ -78,7 +78,7 @@ def share_shown(job):
 def run(args):
     jobs = list(jobs_of(args))
     result = {"command": shlex.join(["./bench", *sys.argv[1:]]), "machine": machine(), "frames": args.frames,
-              "skipped": [], "agreement": [], "records": []}
+              "complete": False, "skipped": [], "agreement": [], "records": []}
     with display.xvfb() as name:
         vtk_runs.display = name
         result["agreement"] = agreement.check(list(dict.fromkeys(m for job in jobs for m in job.methods)))
@@ -89,6 +89,7 @@ def run(args):
                 records = [{**record, "shown": share} for record in records]
             result["records"] += records
             result["skipped"] += skipped
+            result["complete"] = job is jobs[-1]
             with open(args.output, "w", encoding="utf-8") as file:  # after each job: a run that is stopped keeps what it has
                 json.dump(result, file, indent=1)
     return result

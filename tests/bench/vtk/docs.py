@@ -9,7 +9,8 @@ BEGIN, END = "<!-- ./bench --docs writes from here -->", "<!-- to here -->"
 def machine(result):
     m = result["machine"]
     return (f"{m['processor']}, {m['cores']} cores, {m['date']}; load when it began {m['load']:.1f}"
-            f" ({'beside other work: wall times are noisy' if m['load'] > 0.5 else 'quiet'}); {result['command']}")
+            f" ({'beside other work: wall times are noisy' if m['load'] > 0.5 else 'quiet'}); {result['command']}"
+            + ("" if result.get("complete") else ", stopped before its end"))
 
 
 def generated(result):

@@ -97,7 +97,7 @@ def _error_ratio(ours, other):
     """Before rounding where the other has that, else as its PNG."""
     theirs = other["error"]["floats"] or other["error"]["png"]
     ratio = theirs["rmse"] / ours["error"]["floats"]["rmse"]
-    return f"{ratio:.2g}" + ("" if other["error"]["floats"] else " (its PNG)")
+    return f"{ratio:.0f}" + ("" if other["error"]["floats"] else " (its PNG)")
 
 
 def _slopes(records, quantity, amount):
