@@ -74,15 +74,25 @@ FUNCTION void addPiece(INOUT(LongSum) light, Rgba front, Rgba back, Real length)
   Rgba near = front;
   Mask goesOn;
   do {
-    Real part = reachOfDepth(opticalFront, opticalBack, Real(kStepDepth));
-    Real rest = Real(1.0) - part;
-    Rgba far = mixed(near, back, part);
-    Real opticalFar = rest * opticalFront + part * opticalBack;
-    addUnder(light, weightedColor(near, far, weightsOfStep(part * opticalFront, part * opticalFar)));
+    Rgba far = back;
+    Real stepFront = opticalFront;
+    Real stepBack = opticalBack;
+    goesOn = Real(0.5) * (opticalFront + opticalBack) > Real(kStepDepth);
+    WHERE_ANY(goesOn) {
+      Real part = reachOfDepth(opticalFront, opticalBack, Real(kStepDepth));
+      Real rest = Real(1.0) - part;
+      Real opticalFar = rest * opticalFront + part * opticalBack;
+      far = mixed(near, back, part);
+      stepFront = part * opticalFront;
+      stepBack = part * opticalFar;
+      opticalFront = rest * opticalFar;
+      opticalBack = rest * opticalBack;
+    }
+    addUnder(light, weightedColor(near, far, weightsOfStep(stepFront, stepBack)));
     near = far;
-    opticalFront = rest * opticalFar;
-    opticalBack = rest * opticalBack;  // 0 at the end: a lane that is done adds nothing
-    goesOn = part < Real(1.0) && transparencyOf(light) > Real(kUsedUp);
+    goesOn = goesOn && transparencyOf(light) > Real(kUsedUp);
+    opticalFront = select(goesOn, opticalFront, Real(0.0));  // a lane that is done adds nothing
+    opticalBack = select(goesOn, opticalBack, Real(0.0));
   } while (anyLane(goesOn));
 }
 
@@ -91,7 +101,7 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
   Real direction = select(rises, Real(1.0), Real(-1.0));
   Real borderShare = select(rises, Real(1.0), Real(0.0));
   Real whole = absolute(scalarBack - scalarFront);
-  Real wholeOrOne = select(whole > Real(0.0), whole, Real(1.0));
+  Real perScalar = Real(1.0) / select(whole > Real(0.0), whole, Real(1.0));
 
   Piece piece = findPiece(WITH_TABLES scalarFront);
   Real share = shareOf(piece, scalarFront);
@@ -106,15 +116,17 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
     Real farShare = select(crosses, borderShare, shareOf(piece, scalarBack));
     Rgba low = TABLE(pieceLow)(piece.number);
     Rgba high = TABLE(pieceHigh)(piece.number);
-    Real part = select(whole > Real(0.0), atMost(toBorder, toBack) / wholeOrOne, Real(1.0));
+    Real part = select(whole > Real(0.0), atMost(toBorder, toBack) * perScalar, Real(1.0));
     addPiece(light, mixed(low, high, share), mixed(low, high, farShare), select(goesOn, part * length, Real(0.0)));
     goesOn = goesOn && crosses && transparencyOf(light) > Real(kUsedUp);
 
-    piece.number = select(goesOn, piece.number + direction, piece.number);
-    piece.place = TABLE(piecePlace)(piece.number);
-    share = Real(1.0) - borderShare;
-    toBorder = extentOf(piece);
-    toBack = select(rises, pastLow(piece, scalarBack), beforeHigh(piece, scalarBack));
+    WHERE_ANY(goesOn) {
+      piece.number = select(goesOn, piece.number + direction, piece.number);
+      piece.place = TABLE(piecePlace)(piece.number);
+      share = Real(1.0) - borderShare;
+      toBorder = extentOf(piece);
+      toBack = select(rises, pastLow(piece, scalarBack), beforeHigh(piece, scalarBack));
+    }
   } while (anyLane(goesOn));
   return Rgba(light.sum.r + light.rest.r, light.sum.g + light.rest.g, light.sum.b + light.rest.b,
               light.sum.a + light.rest.a);

@@ -6,7 +6,8 @@
 // PRECISE marks what an optimiser must not rearrange.
 // Tables: a TABLE_FUNCTION takes TABLES as its first parameter, hands WITH_TABLES on, and calls TABLE(fetch)(...), one of
 // the few fetch functions that each side supplies. Loops whose length differs between lanes end with
-// while (anyLane(mask)); lanes that are done must not change any more.
+// while (anyLane(mask)); lanes that are done must not change any more. WHERE_ANY(mask) { ... } may be left out where no
+// lane needs it: it must change nothing that matters in lanes outside of the mask.
 // The lookups (shaders/lookup, segment_color.glsl) are in this subset, too. They may use UNIFORM(T, name), T of Scalar,
 // int, Texels and Table2d, Table3d (filter.glsl), and the fetch functions rgbaAt, numberAt, scalarAt.
 #define Real float
@@ -23,6 +24,7 @@
 #define TABLES
 #define WITH_TABLES
 #define TABLE(fetch) fetch
+#define WHERE_ANY(mask)  // a branch would cost more: both of its sides are run
 const bool kDouble = false;  // true where Real has 53 bits
 
 Real select(Mask condition, Real yes, Real no) { return mix(no, yes, condition); }

@@ -46,6 +46,7 @@ struct DoubleLane {
 #define TABLES const Tables &tables,
 #define WITH_TABLES tables,
 #define TABLE(fetch) tables.fetch
+#define WHERE_ANY(mask) if (anyLane(mask))
 
 /// What a fragment carries besides its distance (core/kbuffer.glsl): a scalar and its kind.
 template <class Lane>
@@ -123,5 +124,6 @@ struct Arithmetic {
 #undef TABLES
 #undef WITH_TABLES
 #undef TABLE
+#undef WHERE_ANY
 
 }  // namespace havs

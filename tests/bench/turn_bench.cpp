@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/parallel.h"
-#include "open_device.h"
+#include "render/devices.h"
 #include "render/make_renderer.h"
 
 namespace havs {
@@ -74,7 +74,7 @@ nlohmann::ordered_json measure(const Options& options) {
   StageTimes stages;
   const PreparedScene prepared = prepareScene(scene, stages);
   const View view = viewOf(scene, prepared);
-  const OpenDevice device = openDevice(scene);
+  const RenderDevice device = openRenderDevice(scene.device, scene.threads);
   const RenderPlan chosen = plan(scene, prepared.facts(), device.capabilities);
   const auto renderer = makeRenderer(prepared, chosen, stages);
 

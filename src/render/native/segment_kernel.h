@@ -15,6 +15,7 @@
 #define TABLES
 #define WITH_TABLES
 #define TABLE(fetch) fetch
+#define WHERE_ANY(mask) if (anyLane(mask))
 #define UNIFORM(T, name) const T name = uniform<T>(data, nameKey(#name))
 #define HAVS_OPAQUE_SURFACES
 
