@@ -101,7 +101,7 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
   Real direction = select(rises, Real(1.0), Real(-1.0));
   Real borderShare = select(rises, Real(1.0), Real(0.0));
   Real whole = absolute(scalarBack - scalarFront);
-  Real perScalar = Real(1.0) / select(whole > Real(0.0), whole, Real(1.0));
+  Real wholeOrOne = select(whole > Real(0.0), whole, Real(1.0));
 
   Piece piece = findPiece(WITH_TABLES scalarFront);
   Real share = shareOf(piece, scalarFront);
@@ -116,7 +116,7 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
     Real farShare = select(crosses, borderShare, shareOf(piece, scalarBack));
     Rgba low = TABLE(pieceLow)(piece.number);
     Rgba high = TABLE(pieceHigh)(piece.number);
-    Real part = select(whole > Real(0.0), atMost(toBorder, toBack) * perScalar, Real(1.0));
+    Real part = select(whole > Real(0.0), atMost(toBorder, toBack) / wholeOrOne, Real(1.0));
     addPiece(light, mixed(low, high, share), mixed(low, high, farShare), select(goesOn, part * length, Real(0.0)));
     goesOn = goesOn && crosses && transparencyOf(light) > Real(kUsedUp);
 

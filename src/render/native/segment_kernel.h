@@ -25,8 +25,6 @@ static_assert(sizeof(SegmentQueue::front) == 4 * SegmentQueue::kRoom * sizeof(fl
 
 namespace {
 
-using Lanes = SimdLanes;
-
 template <class T>
 T uniform(const LookupData& data, std::uint64_t key) {
   for (int i = 0; i < data.count; ++i)
@@ -45,7 +43,7 @@ struct Shading {
   using Mask = Lanes::Mask;
   using Int = Lanes::Int;
   using Scalar = float;
-  using Rgba = RgbaLanes;
+  using Rgba = LaneColor;
   static constexpr bool kDouble = false;
   static Real select(Mask condition, Real yes, Real no) { return Lanes::select(condition, yes, no); }
   static Real exp2Integral(Real n) { return Lanes::exp2Integral(n); }
@@ -99,7 +97,7 @@ void fillLastLanes(SegmentQueue& queue) {
   Shading shading{data};
   fillLastLanes(queue);
   for (std::size_t i = 0; i < queue.count; i += Lanes::kLanes)
-    storeRgba(queue.rgba.data() + 4 * i, shading.segmentColor(segmentAt(queue, i)));
+    storeColor(queue.rgba.data() + 4 * i, shading.segmentColor(segmentAt(queue, i)));
 }
 
 }  // namespace havs

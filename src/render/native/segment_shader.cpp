@@ -25,7 +25,7 @@ void addNumber(LookupData& data, const std::string& name, float number) { addUni
 
 void addTable(LookupData& data, const std::string& name, const LaidOutTable& table) {
   LookupData::Uniform& uniform = addUniform(data, name);
-  uniform.values = table.values.data();
+  uniform.values = table.values.get();
   std::copy(table.sizes.begin(), table.sizes.end(), uniform.size);
   std::copy(table.steps.begin(), table.steps.end(), uniform.step);
 }
@@ -52,9 +52,8 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
     : data_(std::make_unique<Data>()) {
   data_->kernel = kernelOf(plan.lookup, instructions);
   LookupData& lookup = data_->lookup;
-  for (ResourceData& resource : makeResources(prepared, plan, progress)) {
-    for (auto& [name, table] : resource.tables)
-      addTable(lookup, name, data_->tables.emplace_back(layOut(std::move(table))));
+  for (const ResourceData& resource : makeResources(prepared, plan, progress)) {
+    for (const auto& [name, table] : resource.tables) addTable(lookup, name, data_->tables.emplace_back(layOut(table)));
     for (const auto& [name, number] : resource.numbers) addNumber(lookup, name, number);
   }
   if (plan.lookup.carries == Payload::color)

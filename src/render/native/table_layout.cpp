@@ -1,24 +1,45 @@
 #include "render/native/table_layout.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
+#include <new>
 
 #include "core/parallel.h"
 
 namespace havs {
 namespace {
 
-constexpr std::int32_t kLine = 4;  // entries of four floats in a cache line
+constexpr std::size_t kLineBytes = 64;
+constexpr std::int32_t kLineEntries = 4;
+constexpr std::size_t kLargePage = std::size_t{1} << 21;
 
-std::int32_t padded(std::int32_t entries) { return (entries + kLine - 1) / kLine * kLine + kLine; }
+std::int32_t padded(std::int32_t entries) {
+  return (entries + kLineEntries - 1) / kLineEntries * kLineEntries + kLineEntries;
+}
+
+ScatteredFloats allocate(std::size_t count) {
+  const std::size_t bytes = count * sizeof(float);
+  const std::size_t page = bytes < kLargePage ? kLineBytes : kLargePage;
+  const std::size_t whole = (bytes + page - 1) / page * page;
+  ScatteredFloats memory(static_cast<float*>(std::aligned_alloc(page, whole)));
+  if (!memory) throw std::bad_alloc();
+#if defined(__linux__)
+  if (page == kLargePage) madvise(memory.get(), whole, MADV_HUGEPAGE);  // a wish: without it, it is only slower
+#endif
+  return memory;
+}
 
 }  // namespace
 
-LaidOutTable layOut(ResourceTable table) {
+LaidOutTable layOut(const ResourceTable& table) {
   LaidOutTable made;
   std::copy(table.sizes.begin(), table.sizes.end(), made.sizes.begin());
   if (table.sizes.size() == 1) {
-    made.steps[0] = 1;
-    made.values = std::move(table.values);
+    made.values = allocate(table.values.size());
+    std::copy(table.values.begin(), table.values.end(), made.values.get());
     return made;
   }
   const auto [nx, ny, nz] = made.sizes;
@@ -26,7 +47,7 @@ LaidOutTable layOut(ResourceTable table) {
   made.steps[2] = 1;
   made.steps[1] = deep ? padded(nz) : 1;
   made.steps[0] = deep ? padded(ny * made.steps[1]) : padded(ny);
-  made.values.resize(4 * static_cast<std::size_t>(nx) * static_cast<std::size_t>(made.steps[0]));
+  made.values = allocate(4 * static_cast<std::size_t>(nx) * static_cast<std::size_t>(made.steps[0]));
   parallelFor(0, static_cast<std::size_t>(nx), 1, [&](std::size_t x) {
     for (std::int32_t y = 0; y < ny; ++y)
       for (std::int32_t z = 0; z < nz; ++z) {
