@@ -88,6 +88,7 @@ LOOKUPS = tuple(f"havs-{device}-{lookup}" for device in ("osmesa", "native")
                 for lookup in ("exact", "3d", "3d-normalised"))
 ONE_BUNYK = ("vtk-projected", "vtk-bunyk-partial") + OURS
 NO_BUNYK = ("vtk-projected",) + OURS
+PROJECTED_AND_NATIVE = ("vtk-projected", "havs-native")
 
 
 def quick_jobs():
@@ -96,6 +97,10 @@ def quick_jobs():
         Job("cube-200k", "tenth", 512, 0, NO_BUNYK),
         Job("cube-200k", "spikes", 512, 0, ("vtk-projected", "vtk-bunyk-partial") + LOOKUPS),
         Job("cube-1m", "visible", 1024, 0, ONE_BUNYK),
+        Job("cube-1m", "tenth", 1024, 0, NO_BUNYK),
+        Job("cube-1m", "visible", 1024, 1, PROJECTED_AND_NATIVE),
+        Job("cube-200k", "visible", 1024, 0, PROJECTED_AND_NATIVE),
+        Job("cube-3m", "visible", 1024, 0, PROJECTED_AND_NATIVE),
     ]
 
 
