@@ -52,6 +52,7 @@ struct RenderPlan {
   bool opaqueSurfaces = false;
   bool certificate = false;
   bool compositeLate = false;
+  bool speculate = true;  ///< native device: tries a small k first, which gives the same picture; off: to test that
 };
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table

@@ -5,7 +5,7 @@
 // With the corners as homogeneous points (x, y, w), each edge has the function E(x, y) of raster/edge_function.h,
 // positive inside for one sense of the face. What is linear on the face in space, such as the depth, is at a pixel (sum
 // of the corners' values times the opposite edges' E) / (sum of the E). All is set up in double relative to the first
-// stamp of the face in the tile, so that float keeps the place across the face.
+// stamp of the face in the picture, so that float keeps the place across the face, and the same in every tile.
 #include <cmath>
 #include <cstdint>
 
@@ -47,8 +47,8 @@ enum class FaceWay : std::uint8_t {
   pixelByPixel,  ///< in double: seen edge on, or partly behind the eye
 };
 
-/// A face whose height is a smaller part of its extent in the tile is drawn pixel by pixel: float would lose the place
-/// across it.
+/// A face whose height is a smaller part of its extent in the picture is drawn pixel by pixel: float would lose the
+/// place across it.
 constexpr double kLeastHeight = 1.0 / 64;
 /// Of |perX| + |perY| and a pixel of extent: what float may be off by, in the value of an edge function. Six roundings
 /// of 2^-24 of at most the extent.
@@ -68,6 +68,8 @@ struct FaceBatch {
   bool boundary[kBatch], entersMesh[kBatch];
   FaceWay way[kBatch];
   int left[kBatch], top[kBatch], right[kBatch], bottom[kBatch];  ///< pixels of the tile, both ends included
+  int originX[kBatch], originY[kBatch];  ///< pixel of the picture that functions start at: of the face's first stamp
+  int extent[kBatch];                    ///< in pixels, of the face in the picture, and a stamp
 
   alignas(64) Doubles x[3], y[3], w[3], column[3], row[3];
   alignas(64) Doubles value[1 + kAttributes][3];                         ///< at the corners: depth, attributes
@@ -98,15 +100,20 @@ struct FaceBatch {
 
   void findBoxes(const TileDraw& tile) {
     constexpr double kMargin = 1e-6;  // for the rounding of the divisions
-    const double x0 = tile.left + 0.5, y0 = tile.top + 0.5;
     const int lastX = kStampSide * tile.stampsAcross - 1, lastY = kStampSide * tile.stampsDown - 1;
     for (int i = 0; i < kBatch; ++i) {
-      const double low[2] = {least(column, i) - x0 - kMargin, least(row, i) - y0 - kMargin};
-      const double high[2] = {most(column, i) - x0 + kMargin, most(row, i) - y0 + kMargin};
-      left[i] = firstPixel(low[0], lastX);
-      top[i] = firstPixel(low[1], lastY);
-      right[i] = lastPixel(high[0], lastX);
-      bottom[i] = lastPixel(high[1], lastY);
+      const int firstColumn = firstPixel(least(column, i) - 0.5 - kMargin, tile.mesh.width - 1);
+      const int firstRow = firstPixel(least(row, i) - 0.5 - kMargin, tile.mesh.height - 1);
+      const int lastColumn = lastPixel(most(column, i) - 0.5 + kMargin, tile.mesh.width - 1);
+      const int lastRow = lastPixel(most(row, i) - 0.5 + kMargin, tile.mesh.height - 1);
+      originX[i] = firstColumn / kStampSide * kStampSide;
+      originY[i] = firstRow / kStampSide * kStampSide;
+      const int width = lastColumn - firstColumn, height = lastRow - firstRow;
+      extent[i] = kStampSide + (width > height ? width : height);
+      left[i] = firstColumn > tile.left ? firstColumn - tile.left : 0;
+      top[i] = firstRow > tile.top ? firstRow - tile.top : 0;
+      right[i] = lastColumn - tile.left < lastX ? lastColumn - tile.left : lastX;
+      bottom[i] = lastRow - tile.top < lastY ? lastRow - tile.top : lastY;
     }
     for (int i = 0; i < kBatch; ++i) {
       way[i] = left[i] <= right[i] && top[i] <= bottom[i] ? FaceWay::stamps : FaceWay::nothing;
@@ -119,19 +126,17 @@ struct FaceBatch {
   }
 
   /// Edges and determinants; decides which faces are too thin for float.
-  void findEdges(const TileDraw& tile) {
+  void findEdges() {
     Doubles determinant, thinness;
     for (int i = 0; i < kBatch; ++i) {
-      const double x0 = tile.left + left[i] / kStampSide * kStampSide + 0.5;
-      const double y0 = tile.top + top[i] / kStampSide * kStampSide + 0.5;
+      const double x0 = originX[i] + 0.5, y0 = originY[i] + 0.5;
       for (int j = 0; j < 3; ++j) {
         x[j][i] -= x0 * w[j][i];
         y[j][i] -= y0 * w[j][i];
       }
     }
     for (int i = 0; i < kBatch; ++i) {
-      const int width = right[i] - left[i], height = bottom[i] - top[i];
-      const double extent = kStampSide + (width > height ? width : height);
+      const double across = extent[i];
       double thinnest = 0;
       for (int j = 0; j < 3; ++j) {
         const int a = (j + 1) % 3, b = (j + 2) % 3;
@@ -139,12 +144,12 @@ struct FaceBatch {
         perXD[j][i] = y[a][i] * w[b][i] - w[a][i] * y[b][i];
         perYD[j][i] = w[a][i] * x[b][i] - x[a][i] * w[b][i];
         const double run = std::abs(perXD[j][i]) + std::abs(perYD[j][i]);  // at least the edge's length times w w
-        const double ax = std::abs(x[a][i]) + extent * std::abs(w[a][i]);
-        const double ay = std::abs(y[a][i]) + extent * std::abs(w[a][i]);
-        const double bx = std::abs(x[b][i]) + extent * std::abs(w[b][i]);
-        const double by = std::abs(y[b][i]) + extent * std::abs(w[b][i]);
-        error[j][i] = kFloatError * extent * run + kDoubleError * (ax * by + ay * bx);
-        const double thin = extent * w[j][i] * run;
+        const double ax = std::abs(x[a][i]) + across * std::abs(w[a][i]);
+        const double ay = std::abs(y[a][i]) + across * std::abs(w[a][i]);
+        const double bx = std::abs(x[b][i]) + across * std::abs(w[b][i]);
+        const double by = std::abs(y[b][i]) + across * std::abs(w[b][i]);
+        error[j][i] = kFloatError * across * run + kDoubleError * (ax * by + ay * bx);
+        const double thin = across * w[j][i] * run;
         thinnest = thin > thinnest ? thin : thinnest;
       }
       determinant[i] = w[0][i] * atOriginD[0][i] + x[0][i] * perXD[0][i] + y[0][i] * perYD[0][i];

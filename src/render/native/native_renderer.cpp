@@ -39,9 +39,9 @@ class NativeKBufferRenderer final : public Renderer {
     }
     const KernelSet& kernels = instructions.kernels();
     setting_.kernel = kernels.tileKernel(plan.k, plan.lookup.carries);
-    // With early termination, which fragments a pixel still looks at depends on k.
-    const bool countsMustBeOfK = plan.certificate && plan.earlyTermination > 0;
-    if (plan.k > kSpeculativeK && !countsMustBeOfK)
+    // With early termination, which fragments a pixel still looks at depends on k: a smaller one may be done before it
+    // meets the fragment that shows it to be wrong.
+    if (plan.speculate && plan.k > kSpeculativeK && !(plan.earlyTermination > 0))
       setting_.speculative = kernels.speculativeTileKernel(kSpeculativeK, plan.lookup.carries);
     setting_.k = plan.k;
     setting_.attributes = plan.lookup.carries == Payload::color ? 4 : 1;

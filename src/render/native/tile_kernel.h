@@ -194,6 +194,7 @@ class TileDrawer {
 
   void giveUp(int stamp, unsigned bits) {
     tile_.flagged[stamp] = static_cast<std::uint16_t>(tile_.flagged[stamp] | bits);
+    if (tile_.late != nullptr) return;  // a certificate: all its fragments are counted in this pass
     tile_.active[stamp] = static_cast<std::uint16_t>(tile_.active[stamp] & ~bits);
     tile_.activePixels -= static_cast<std::size_t>(std::popcount(bits));
   }
@@ -227,7 +228,7 @@ class TileDrawer {
   void drawBatch(const std::uint32_t* faces, int count) {
     batch_.gather(tile_, faces, count);
     batch_.findBoxes(tile_);
-    batch_.findEdges(tile_);
+    batch_.findEdges();
     for (int i = 0; i < count; ++i)
       if (batch_.way[i] == FaceWay::stamps) takeAttributes(i);
     batch_.findFunctions();
@@ -271,11 +272,11 @@ class TileDrawer {
                          Real(f.atOrigin[i][face]);
     int listed = 0;
     for (int row = firstRow; row <= lastRow; ++row) {
-      const float y = static_cast<float>((row - firstRow) * kStampSide);
+      const float y = static_cast<float>(tile_.top + row * kStampSide - f.originY[face]);
       for (int column = firstColumn; column <= lastColumn; ++column) {
         const int stamp = row * tile_.stampsAcross + column;
         const unsigned active = tile_.active[stamp];
-        const float x = static_cast<float>((column - firstColumn) * kStampSide);
+        const float x = static_cast<float>(tile_.left + column * kStampSide - f.originX[face]);
         for (int group = 0; group < kGroups; ++group) {
           auto value = [&](int i) { return edge[i][group] + Real(f.perX[i][face] * x + f.perY[i][face] * y); };
           const Real inside = Lanes::least(Lanes::least(value(0), value(1)), value(2));

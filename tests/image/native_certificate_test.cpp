@@ -1,0 +1,1 @@
+#include "image/native_scene.h"
