@@ -9,6 +9,7 @@
 #include "render/lookups.h"
 #include "render/plan.h"
 #include "render/visibility.h"
+#include "scene/visible_part.h"
 #include "study/axes.h"
 #include "study/choose_settings.h"
 
@@ -110,8 +111,10 @@ std::vector<Candidate> candidatesFor(const Scene& scene, double fragments) {
   return all;
 }
 
-double countFragments(const Scene& scene, const PreparedScene& prepared) {
-  const View view = viewOf(scene, prepared);
+double countFragments(const Scene& scene, const PreparedScene& whole) {
+  const View view = viewOf(scene, whole);
+  const std::optional<PreparedScene> part = visiblePart(whole);
+  const PreparedScene& prepared = part ? *part : whole;
   std::vector<double> areas(prepared.faces.size(), 0);
   parallelFor(0, areas.size(), 4096, [&](std::size_t f) {
     std::array<Vec3, 3> p;

@@ -47,9 +47,9 @@ struct Candidate {
 /// llvmpipe.
 std::vector<Candidate> candidatesFor(const Scene& scene, double fragments);
 
-/// How many fragments the faces have in a picture of the scene, from their projected areas (an estimate: faces that
-/// reach behind the eye or beyond the border count whole or not at all).
-double countFragments(const Scene& scene, const PreparedScene& prepared);
+/// How many fragments the faces of the cells that show anything have in a picture of the scene, from their projected
+/// areas (an estimate: faces that reach behind the eye or beyond the border count whole or not at all).
+double countFragments(const Scene& scene, const PreparedScene& whole);
 
 /// What was chosen, and why.
 struct ChosenSettings {
