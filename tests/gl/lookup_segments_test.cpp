@@ -2,14 +2,13 @@
 // double, and `exact` against integrateSegment.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <random>
 
 #include "gl/drawing.h"
 #include "gl/full_screen.h"
 #include "render/gl/lookup_textures.h"
 #include "support/gl_test.h"
-#include "unit/transfer/lookup_functions.h"
+#include "support/lookup_in_double.h"
 
 namespace havs::test {
 namespace {
@@ -17,7 +16,6 @@ namespace {
 constexpr int kSide = 64;  // of the target: 4096 segments
 constexpr int kTableSize = 32;
 constexpr GLuint kSegmentsUnit = 15;
-constexpr double kFloat = 1e-6;
 
 constexpr const char* kFragment = R"(
 #include "core/language.glsl"
@@ -59,37 +57,6 @@ std::vector<float> segments(double longest) {
   return list;
 }
 
-struct Setting {
-  const ExtinctionCurve& curve;
-  double longest;      // segment, local units
-  double tableLength;  // of the 2D table
-};
-
-/// What the row computes, in double over the very tables.
-LookupFunction inDouble(const Lookup& row, const Setting& s) {
-  if (row.name == "post") return postLookup(s.curve);
-  if (row.name == "integral") return integralLookup(s.curve);
-  if (row.name == "2d") return table2dLookup(s.curve, kTableSize, s.tableLength);
-  if (row.name == "3d") return table3dLookup(s.curve, kTableSize, s.longest);
-  if (row.name == "3d-normalised") return normalisedLookup(s.curve, kTableSize, s.longest);
-  if (row.name.starts_with("riemann:")) return riemannLookup(s.curve, row.number);
-  if (row.name.starts_with("riemann-linear:")) return riemannLinearLookup(s.curve, row.number);
-  return [&s](double f, double b, double length) { return exactly(s.curve, f, b, length); };
-}
-
-/// What float may be off by. Samples between the ends lie on scalars rounded to 2^-24, which a steep curve magnifies;
-/// places in a table are rounded to 2^-24 of its size along each axis, and neighbours differ by at most 1.
-double boundOf(const Lookup& row, const Setting& s) {
-  if (tableOf(row)) return kFloat + 3 * 2 * kTableSize * 0x1p-24;
-  if (row.number == 0) return kFloat;
-  double steepest = 0;
-  for (std::size_t i = 1; i < s.curve.knots.size(); ++i) {
-    const auto &a = s.curve.knots[i - 1], &b = s.curve.knots[i];
-    if (b.s > a.s) steepest = std::max(steepest, std::abs(b.kappa - a.kappa) / (b.s - a.s));
-  }
-  return kFloat + steepest * s.longest * 0x1p-24;
-}
-
 /// lookUp() of each segment on the current device.
 std::vector<float> lookedUp(const PreparedScene& prepared, const RenderPlan& plan, const std::vector<float>& given) {
   ShaderOptions options{{{"HAVS_K", "1"}}, {}, {{"lookup.glsl", plan.lookup.shader}}};
@@ -128,9 +95,9 @@ class LookupSegments : public GlTest {
     Capabilities capabilities = capabilitiesOf(*device_);
     capabilities.hasExtension = [](const std::string&) { return true; };  // nothing is drawn by the method
     const RenderPlan chosen = plan(scene, prepared.facts(), capabilities);
-    const Setting setting{curve, prepared.longestEdge, meanSegmentLength(prepared)};
+    const LookupSetting setting{curve, prepared.longestEdge, meanSegmentLength(prepared), kTableSize};
     const LookupFunction expected = inDouble(chosen.lookup, setting);
-    if (bound) *bound = boundOf(chosen.lookup, setting);
+    if (bound) *bound = floatBoundOf(chosen.lookup, setting);
     if (deepest) *deepest = curve.maximumKappa * prepared.longestEdge;
     const std::vector<float> given = segments(prepared.longestEdge);
     const std::vector<float> got = lookedUp(prepared, chosen, given);
@@ -138,7 +105,8 @@ class LookupSegments : public GlTest {
     for (std::size_t i = 0; i < given.size(); i += 4) {
       const Rgba color(got[i], got[i + 1], got[i + 2], got[i + 3]);
       for (double channel : {color.r, color.g, color.b, color.a}) {
-        EXPECT_TRUE(channel >= 0 && channel <= 1 + kFloat) << lookupName << " " << given[i] << " " << given[i + 1];
+        EXPECT_TRUE(channel >= 0 && channel <= 1 + kLookupFloat)
+            << lookupName << " " << given[i] << " " << given[i + 1];
       }
       worst = std::max(worst, distance(color, expected(given[i], given[i + 1], given[i + 2])));
     }
@@ -162,14 +130,12 @@ TEST_P(LookupSegments, EveryRowIsWhatItIsInDouble) {
 // colours is such a mixture times an opacity of at most 1; the opacity of `2d` has its extinction, as a part of the
 // greatest one, off by that much times the length.
 TEST_P(LookupSegments, EveryFormatIsRoundedToTheNearest) {
-  const std::map<std::string, double> halfSteps{
-      {"rgba32f", 0}, {"rgba16f", 0x1p-12}, {"rgba16", 0.5 / 65535}, {"rgba8", 0.5 / 255}};
   for (const Lookup& row : lookups())
     for (const TableFormat& format : tableFormats()) {
       if (!tableOf(row)) continue;
       double bound = 0, deepest = 0;
       const double worst = worstOf(row.name, "viridis", &bound, format.name, &deepest);
-      EXPECT_LE(worst, bound + halfSteps.at(format.name) * (row.name == "2d" ? 1 + deepest : 1))
+      EXPECT_LE(worst, bound + halfStepOf(format) * (row.name == "2d" ? 1 + deepest : 1))
           << row.name << " " << format.name;
     }
 }
@@ -181,7 +147,8 @@ TEST_P(LookupSegments, StepsAreNotSmeared) {
     {"scalar": 0.3, "color": [1, 0, 0], "opacity": 9}, {"scalar": 0.5, "color": [1, 0, 0], "opacity": 9},
     {"scalar": 0.5, "color": [1, 1, 1], "opacity": 0}, {"scalar": 1, "color": [1, 1, 1], "opacity": 3},
     {"scalar": 1, "color": [0, 0, 0], "opacity": 5}]})");
-  for (const char* name : {"exact", "post", "integral"}) EXPECT_LE(worstOf(name, transfer.path()), kFloat) << name;
+  for (const char* name : {"exact", "post", "integral"})
+    EXPECT_LE(worstOf(name, transfer.path()), kLookupFloat) << name;
 }
 
 HAVS_FOR_EVERY_DEVICE(LookupSegments);

@@ -1,16 +1,12 @@
 // The lookups on SIMD lanes: the same bits by every instruction set, wherever a segment stands in the queue.
 #include <gtest/gtest.h>
 
-#include <bit>
-
 #include "unit/render_native/shaded.h"
 
 namespace havs::test {
 namespace {
 
 constexpr std::size_t kSegments = 5000;
-
-std::array<std::uint32_t, 4> bitsOf(const Color& c) { return std::bit_cast<std::array<std::uint32_t, 4>>(c); }
 
 /// The number of colours that differ in any bit.
 std::size_t differing(const std::vector<Color>& a, const std::vector<Color>& b) {

@@ -2,6 +2,9 @@
 // Lists of segments shaded by the native device, for tests.
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -16,6 +19,8 @@ struct GivenSegment {
   std::array<float, 4> frontColor{}, backColor{};  ///< of Payload::color
 };
 using Color = std::array<float, 4>;
+
+inline std::array<std::uint32_t, 4> bitsOf(const Color& c) { return std::bit_cast<std::array<std::uint32_t, 4>>(c); }
 
 /// What a lookup is called with: a box with the scalar 0.5 everywhere, the scene's transfer function, the plan.
 struct LookupScene {
@@ -88,6 +93,9 @@ inline std::vector<GivenSegment> segmentsOfAllKinds(float longest, std::size_t c
     for (int b = 0; b <= 10; ++b)
       for (float part : {0.0F, 1e-30F, 1e-4F, 0.1F, 1.0F, 3.0F})
         add(static_cast<float>(f) / 10, static_cast<float>(b) / 10, part * longest);
+  for (float tiny : {1e-45F, 1e-40F, 1e-38F, 1e-20F})  // changes of the scalar too small to have a reciprocal
+    for (float length : {0.1F, 1.0F}) add(0, tiny, length), add(tiny, 0, length);
+  for (float length : {1e3F, 1e10F, 3e38F}) add(0.2F, 0.9F, length), add(0.7F, 0.1F, length);
   while (list.size() < count) {
     const float front = unit(random);
     const float span = random() % 2 ? 1.0F : 0.03F;
