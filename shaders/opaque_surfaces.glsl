@@ -6,7 +6,7 @@
 #include "curve.glsl"
 
 UNIFORM(Texels, opaqueIntervals);  // two numbers an interval of the scalar: its ends
-UNIFORM(int, opaqueCount);
+UNIFORM(Scalar, opaqueCount);
 
 // The colour of the surface met at `scalar`, of the interval from `low` to `high`: taken a little inside, clear of a
 // step at its end.
@@ -21,7 +21,7 @@ Rgba lookUpToOpaque(Segment segment) {
   Real nearest = Real(2.0);
   Real metLow = Real(0.0);
   Real metHigh = Real(0.0);
-  for (int i = 0; i < opaqueCount; ++i) {
+  for (int i = 0; i < int(opaqueCount); ++i) {
     Real low = Real(scalarAt(opaqueIntervals, 2 * i));
     Real high = Real(scalarAt(opaqueIntervals, 2 * i + 1));
     Real entry = opaqueEntry(low, high, segment.scalarFront, segment.scalarBack);
