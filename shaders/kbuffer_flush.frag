@@ -16,12 +16,19 @@ void main() {
   PixelState state;
   loadPixel(color, state);
   KBuffer kbuffer = loadEntries();
-  for (int i = 0; i + 1 < HAVS_K; ++i) {
-    Segment segment = leave(state, kbuffer.entry[i], kbuffer.entry[i + 1]);
+#if HAVS_K > 1
+  // A loop by a condition ends at once where all pixels of a block are empty.
+  bool any = !isEmpty(kbuffer.entry[HAVS_K - 1]);
+  int left = HAVS_K - 1;
+  do {
+    Segment segment = leave(state, kbuffer.entry[0], kbuffer.entry[1]);
 #ifdef HAVS_EARLY_TERMINATION
     segment.visible = segment.visible && color.a < terminalOpacity;
 #endif
     color = compositeUnder(color, segmentColor(segment));
-  }
+    for (int i = 0; i + 1 < HAVS_K; ++i) kbuffer.entry[i] = kbuffer.entry[i + 1];
+    --left;
+  } while (any && left > 0);
+#endif
   storeColor(color);
 }

@@ -37,7 +37,7 @@ std::string statusText(GLenum status) {
 
 }  // namespace
 
-Framebuffer::Framebuffer(const std::string& label, const Targets& colours)
+Framebuffer::Framebuffer(const std::string& label, const Targets& colours, const Texture* stencil)
     : handle_(createFramebuffer()), label_(label) {
   setLabel(GL_FRAMEBUFFER, id(), label);
   const auto limit = static_cast<std::size_t>(limits().drawBuffers);
@@ -57,6 +57,7 @@ Framebuffer::Framebuffer(const std::string& label, const Targets& colours)
     glNamedFramebufferTexture(id(), attachment, colour.id(), 0);
     drawBuffers.push_back(attachment);
   }
+  if (stencil != nullptr) glNamedFramebufferTexture(id(), GL_STENCIL_ATTACHMENT, stencil->id(), 0);
   glNamedFramebufferDrawBuffers(id(), static_cast<GLsizei>(drawBuffers.size()), drawBuffers.data());
   const GLenum status = glCheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {

@@ -17,10 +17,11 @@ class Framebuffer {
  public:
   using Targets = std::vector<std::reference_wrapper<const Texture>>;
 
-  /// `colours`: 2D textures, all of one size, which must outlive it; their formats may differ. Throws Error{running}
+  /// `colours`: 2D textures, all of one size, which must outlive it; their formats may differ. `stencil`: one more of
+  /// that size (GL_STENCIL_INDEX8). Throws Error{running}
   /// where they are more than the context can draw to, or where it cannot draw to this combination (the message says
   /// why).
-  Framebuffer(const std::string& label, const Targets& colours);
+  Framebuffer(const std::string& label, const Targets& colours, const Texture* stencil = nullptr);
 
   /// Drawing goes here from now on; the viewport is all of it.
   void bind() const;

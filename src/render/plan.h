@@ -51,6 +51,7 @@ struct RenderPlan {
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool certificate = false;
+  bool marksDonePixels = false;  ///< k-buffer: a stencil spares pixels that take no more fragments
   bool compositeLate = false;
   bool speculate = true;  ///< native device: tries a small k first, which gives the same picture; off: to test that
 };

@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
   app.add_option("--lookup", options.scene.lookup, "how a segment's colour is found")->capture_default_str();
   app.add_option("--table", options.scene.tableSize, "entries along each axis of the table")->capture_default_str();
   app.add_option("--visibility", options.scene.visibility, "visibility method")->capture_default_str();
+  app.add_option("--target-format", options.scene.targetFormat, "numbers of the targets")->capture_default_str();
   app.add_option("--k", options.scene.k, "entries of the k-buffer")->capture_default_str();
   app.add_option("--early-termination", options.scene.earlyTermination, "opacity at which a pixel is done");
   app.add_option("--size", options.size, "pixels along each side")->capture_default_str();

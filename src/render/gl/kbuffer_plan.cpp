@@ -18,10 +18,14 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
                 "", "choose a smaller k");
   plan.targetFormat = targetFormat(scene.targetFormat);
   plan.bytesPerPixel = plan.targetFormat.bytesPerTarget * (1 + plan.entryTargets);
+  // Behind an opaque surface nothing is seen. A certificate counts what comes to a pixel, done or not.
+  plan.marksDonePixels = !scene.certificate && (scene.earlyTermination > 0 || plan.opaqueSurfaces);
+  if (plan.marksDonePixels) plan.bytesPerPixel += 1;
   plan.defines.push_back({"HAVS_K", std::to_string(plan.k)});
   plan.defines.push_back({"HAVS_ENTRY_TARGETS", std::to_string(plan.entryTargets)});
   if (scene.earlyTermination > 0) plan.defines.push_back({"HAVS_EARLY_TERMINATION", "1"});
   if (scene.compositeLate) plan.defines.push_back({"HAVS_COMPOSITE_LATE", "1"});
+  if (plan.marksDonePixels) plan.defines.push_back({"HAVS_MARKS_DONE", "1"});
   if (scene.certificate) plan.defines.push_back({"HAVS_CERTIFICATE", "1"});
   chooseTile(plan, scene, capabilities, kMostTilePixels);
 }

@@ -8,6 +8,7 @@
 #include "gl/program_cache.h"
 #include "render/changes_k.h"
 #include "render/gl/certificate_counter.h"
+#include "render/gl/done_pixels.h"
 #include "render/gl/drawing_steps.h"
 #include "render/gl/kbuffer_targets.h"
 #include "render/gl/lookup_textures.h"
@@ -33,6 +34,8 @@ namespace {
 
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
 constexpr float kMostOpacity = 0.99999994f;
+/// How often pixels that are done are looked for: each time costs as much as a fragment in every pixel.
+constexpr std::size_t kMarksAFrame = 16;
 
 /// Where late fragments are not counted anyway, but a better order might be had if there are any (scene_sorter.h).
 std::optional<Buffer> lateFlagFor(const PreparedScene& prepared, const RenderPlan& plan) {
@@ -131,6 +134,8 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     targets_.reset();
     counter_.reset();
     targets_.emplace(plan_, width, height);
+    if (plan_.marksDonePixels)
+      done_.emplace(programs_.get("whole_picture.vert", "done_pixels.frag", kbufferShaderOptions(plan_)));
     if (plan_.certificate) counter_.emplace(width, height);
   }
 
@@ -140,7 +145,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
       setUniforms(insert_, view, tile);
       if (counter_) counter_->begin(insert_, tile);
       if (lateFlag_) lateFlag_->bindBase(GL_SHADER_STORAGE_BUFFER, kLateFragmentsBinding);
-      mesh_->drawInBatches([&](std::size_t first) { insert_.get().set("firstFace", static_cast<int>(first)); });
+      drawFaces();
       if (counter_) counter_->end();
       glFinish();
     });
@@ -157,10 +162,32 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     });
   }
 
+  void drawFaces() const {
+    const Program& insert = insert_;
+    const std::size_t step = std::max<std::size_t>(1, order_.faces.size() / kMarksAFrame);
+    std::size_t nextMark = step;
+    if (done_) done_->begin();
+    mesh_->drawInBatches([&](std::size_t first) {
+      if (done_ && first >= nextMark) {
+        done_->mark(terminalOpacity());
+        insert.use();
+        nextMark = first + step;
+      }
+      insert.set("firstFace", static_cast<int>(first));
+    });
+    if (done_) done_->end();
+  }
+
+  /// At which a pixel is done.
+  float terminalOpacity() const {
+    return plan_.earlyTermination > 0 ? std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity)
+                                      : kMostOpacity;
+  }
+
   void setUniforms(const Program& program, const View& view, const Tile& tile) const {
     useForView(program, view, tile);
     program.set("firstBoundaryVertex", mesh_->firstBoundaryVertex());
-    program.set("terminalOpacity", std::min(static_cast<float>(plan_.earlyTermination), kMostOpacity));
+    program.set("terminalOpacity", terminalOpacity());
     program.set("mostExtinction", mostExtinction_);
     textures_->bind(program);
   }
@@ -177,6 +204,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;
   std::optional<KBufferTargets> targets_;
+  std::optional<DonePixels> done_;             ///< only where the plan marks them
   std::optional<CertificateCounter> counter_;  ///< only where the plan asks for a certificate
 };
 

@@ -17,13 +17,20 @@ std::vector<Texture> makeTextures(const RenderPlan& plan, int width, int height)
   return textures;
 }
 
+std::optional<Texture> stencilFor(const RenderPlan& plan, int width, int height) {
+  if (!plan.marksDonePixels) return std::nullopt;
+  return Texture::image2D("done pixels", GL_STENCIL_INDEX8, width, height);
+}
+
 }  // namespace
 
 KBufferTargets::KBufferTargets(const RenderPlan& plan, int width, int height)
     : format_(plan.targetFormat),
       entryTargets_(plan.entryTargets),
       textures_(makeTextures(plan, width, height)),
-      framebuffer_("k-buffer", Framebuffer::Targets(textures_.begin(), textures_.end())) {}
+      stencil_(stencilFor(plan, width, height)),
+      framebuffer_("k-buffer", Framebuffer::Targets(textures_.begin(), textures_.end()),
+                   stencil_ ? &*stencil_ : nullptr) {}
 
 void KBufferTargets::begin(const Tile& tile) const {
   framebuffer_.bind();

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "gl/framebuffer.h"
@@ -27,6 +28,7 @@ class KBufferTargets {
   TargetFormat format_;
   int entryTargets_;
   std::vector<Texture> textures_;
+  std::optional<Texture> stencil_;
   Framebuffer framebuffer_;
 };
 

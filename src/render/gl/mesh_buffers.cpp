@@ -96,9 +96,9 @@ void MeshBuffers::bind() const {
 }
 
 void MeshBuffers::drawInBatches(const std::function<void(std::size_t)>& prepare) const {
-  bind();
   havs::drawInBatches(faces_.size(), [&](std::size_t first, std::size_t count) {
     prepare(first);
+    bind();
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(first * sizeof(Triangle)));
   });

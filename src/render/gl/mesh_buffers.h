@@ -26,7 +26,7 @@ class MeshBuffers {
   /// Writes the indices of the faces in `order`, in parallel.
   void setOrder(const FaceOrder& order);
   /// Draws all faces in that order, in batches. Before each, `prepare` is told the number of its first face in the
-  /// order (the uniform firstFace of programs for cell data).
+  /// order (the uniform firstFace of programs for cell data); it must leave the program in use that is to draw.
   void drawInBatches(const std::function<void(std::size_t firstFace)>& prepare) const;
 
   /// Number of the first vertex that is a copy for boundary faces.
