@@ -104,5 +104,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"DomainOneNumber", rendering({"--domain", "2"}), "LOW,HIGH"}),
     nameOfCase);
 
+INSTANTIATE_TEST_SUITE_P(
+    Native, BadOption,
+    testing::Values(Refused{"ABuffer", rendering({"--device", "native", "--visibility", "abuffer"}), "kbuffer"},
+                    Refused{"Cells", rendering({"--device", "native", "--visibility", "cells"}), "kbuffer"},
+                    Refused{"HalfTargets", rendering({"--device", "native", "--target-format", "16f"}), "32-bit"},
+                    Refused{"UnknownInstructionSet", rendering({"--device", "native", "--simd", "nonsense"}),
+                            "nonsense"},
+                    Refused{"NearInstructionSet", rendering({"--device", "native", "--simd", "avx22"}), "'avx2'"},
+                    Refused{"KTooLarge", rendering({"--device", "native", "--k", "15"}), "14"}),
+    nameOfCase);
+
 }  // namespace
 }  // namespace havs::test

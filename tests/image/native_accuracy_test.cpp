@@ -1,13 +1,19 @@
 // The native device against the reference with the lookup `exact`: both decide by the same exact rule which pixels a
 // face covers, so that no mask stands between them and every pixel of the picture counts.
+#include <algorithm>
+#include <optional>
+
 #include "image/meshes_drawn.h"
 #include "image/native_scene.h"
 
 namespace havs::test {
 namespace {
 
-/// What issue 4 promises for every mesh and camera. Roundings alone leave less, see below.
-constexpr double kPromisedRmse = 5e-6, kPromisedMaximum = 5e-4;
+/// What issue 4 promises is an RMSE of 5e-6 and a maximum of 5e-4. Roundings alone leave less: some tens of segments a
+/// ray, a hundred at most, each off by 2^-24 in the distances of its ends, of order 1, and in compositing: a hundred
+/// times 2^-24 is 6e-6. Steep peaks have fifty times the extinction in a fiftieth of the scalar, where its rounding
+/// moves the peak's edges, but not what it holds as a whole.
+constexpr double kRmse = 1e-6, kMaximum = 1e-5;
 
 Scene exactScene(const std::string& transfer, int size) {
   Scene scene;
@@ -33,16 +39,15 @@ class NativeAccuracy : public testing::TestWithParam<MeshDrawn> {
     EXPECT_EQ(comparison.masked, 0u);
     EXPECT_LE(comparison.rgba.rmse, rmse);
     EXPECT_LE(comparison.rgba.max, maximum) << "at " << comparison.worstX << ',' << comparison.worstY;
-    std::cout << GetParam().name << ": rmse " << comparison.rgba.rmse << ", max " << comparison.rgba.max << '\n';
   }
 
   TetMesh mesh_;
 };
 
-TEST_P(NativeAccuracy, Perspective) { expectWithin({exactScene("viridis", GetParam().size), mesh_}, 1e-6, 1e-5); }
+TEST_P(NativeAccuracy, Perspective) { expectWithin({exactScene("viridis", GetParam().size), mesh_}, kRmse, kMaximum); }
 
 TEST_P(NativeAccuracy, PerspectiveThreePeaks) {
-  expectWithin({exactScene("three-peaks", GetParam().size), mesh_}, kPromisedRmse, kPromisedMaximum);
+  expectWithin({exactScene("three-peaks", GetParam().size), mesh_}, kRmse, kMaximum);
 }
 
 TEST_P(NativeAccuracy, OrthographicThreePeaks) {
@@ -50,14 +55,7 @@ TEST_P(NativeAccuracy, OrthographicThreePeaks) {
   scene.camera.projection = Projection::orthographic;
   scene.camera.azimuth = 200;
   scene.camera.elevation = -35;
-  expectWithin({scene, mesh_}, kPromisedRmse, kPromisedMaximum);
-}
-
-/// Along an axis, where many faces are seen edge on and many points lie on one ray.
-TEST_P(NativeAccuracy, OrthographicAlongAnAxis) {
-  Scene scene = exactScene("viridis", GetParam().size);
-  scene.camera = {.projection = Projection::orthographic, .azimuth = 0, .elevation = 0};
-  expectWithin({scene, mesh_}, 1e-6, 1e-5);
+  expectWithin({scene, mesh_}, kRmse, kMaximum);
 }
 
 /// Wide, from close by.
@@ -66,7 +64,7 @@ TEST_P(NativeAccuracy, WideAngle) {
   scene.camera.azimuth = -110;
   scene.camera.elevation = 60;
   scene.camera.fieldOfView = 120;
-  expectWithin({scene, mesh_}, 1e-6, 1e-5);
+  expectWithin({scene, mesh_}, kRmse, kMaximum);
 }
 
 /// A place inside the bounding sphere and outside the mesh, in mesh units: the nearest to its centre of a grid.
@@ -85,27 +83,34 @@ std::optional<Vec3> placeBesideTheMesh(const PreparedScene& prepared) {
   return best;
 }
 
-/// From inside the bounding sphere, looking past the centre, so that parts of the mesh are behind the eye.
+/// A view from there across the mesh, with much of the mesh before the eye and much behind it.
+std::optional<View> viewAcross(const PreparedScene& prepared, Scene& scene, const Vec3& eye) {
+  scene.camera.eye = eye;
+  scene.camera.fieldOfView = 100;
+  for (const Vec3 direction : {Vec3{1, 0.3, 0.2}, Vec3{0.2, 1, 0.3}, Vec3{0.3, 0.2, 1}, Vec3{-1, 0.2, 0.4}}) {
+    scene.camera.target = eye + direction * prepared.frame.radius;
+    const View view = viewOf(scene, prepared);
+    const auto behind = std::count_if(prepared.points.begin(), prepared.points.end(),
+                                      [&](const Vec3& p) { return dot(p - view.eye, view.forward) < 0; });
+    const auto all = static_cast<std::ptrdiff_t>(prepared.points.size());
+    if (behind > all / 20 && all - behind > all / 5) return view;
+  }
+  return std::nullopt;
+}
+
 TEST_P(NativeAccuracy, EyeWithinTheBoundingSphere) {
-  Scene scene = exactScene("viridis", GetParam().size);
+  Scene scene = exactScene("viridis", GetParam().size / 2);
   NativeScene drawn(scene, mesh_);
   const auto eye = placeBesideTheMesh(drawn.prepared);
   if (!eye) GTEST_SKIP() << "the mesh fills its bounding sphere";
-  const Vec3 toCenter = drawn.prepared.frame.center - *eye;
-  const Vec3 aside{-toCenter.y, toCenter.x, 0.3 * toCenter.z};
-  scene.camera.eye = *eye;
-  scene.camera.target = *eye + 0.6 * toCenter + aside;
-  scene.camera.fieldOfView = 100;
-  drawn.scene = scene;
-  drawn.view = viewOf(scene, drawn.prepared);
-  const auto behind = std::count_if(drawn.prepared.points.begin(), drawn.prepared.points.end(),
-                                    [&](const Vec3& p) { return dot(p - drawn.view.eye, drawn.view.forward) < 0; });
-  EXPECT_GT(behind, 0);
+  const auto view = viewAcross(drawn.prepared, drawn.scene, *eye);
+  ASSERT_TRUE(view);
+  drawn.view = *view;
   const Image truth = drawn.truth();
   std::size_t seen = 0;
   for (std::size_t i = 3; i < truth.rgba.size(); i += 4) seen += truth.rgba[i] > 0 ? 1 : 0;
   EXPECT_GT(seen, truth.rgba.size() / 4 / 20);
-  expectWithin(drawn, kPromisedRmse, kPromisedMaximum);
+  expectWithin(drawn, kRmse, kMaximum);
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, NativeAccuracy, testing::ValuesIn(meshesDrawn()),
