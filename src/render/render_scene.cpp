@@ -12,6 +12,7 @@
 #include "render/devices.h"
 #include "render/k_search.h"
 #include "render/make_renderer.h"
+#include "render/native/instruction_sets.h"
 #include "render/order_advice.h"
 #include "render/plan.h"
 #include "scene/prepared_scene.h"
@@ -114,6 +115,7 @@ auto drawingOf(const Scene& scene, const Progress& progress) {
     const RenderPlan chosen =
         plan(withChosenK(scene, prepared, view, capabilities, report.stages, progress), prepared.facts(), capabilities);
     describePlan(chosen, report);
+    if (chosen.native) report.renderer = describe(instructionSet(chosen.instructionSet));
     const auto renderer = makeRenderer(prepared, chosen, report.stages, progress);
     drawRepeatedly(*renderer, scene, view, report, progress);
     noteUnmendedOrder(scene, report);

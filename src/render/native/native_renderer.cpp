@@ -138,7 +138,6 @@ class NativeKBufferRenderer final : public Renderer {
       fragments += worker.fragments();
       late += worker.lateFragments();
     }
-    drawing.fragments = fragments;
     if (drawing.certificate) {
       drawing.certificate->fragments = fragments;
       for (const std::uint32_t ofPixel : drawing.certificate->count) {
