@@ -11,10 +11,15 @@ namespace havs {
 /// Lives as long as a parallel loop. Empty unless the build is under the thread sanitizer.
 class LoopOrder {
  public:
-  LoopOrder() { release(start_); }
-  ~LoopOrder() { acquire(finish_); }
+  LoopOrder() { started(); }
+  ~LoopOrder() { finished(); }
   LoopOrder(const LoopOrder&) = delete;
   LoopOrder& operator=(const LoopOrder&) = delete;
+
+  /// What comes after started() on one thread may be seen by the blocks that begin later: for tasks that are added
+  /// while others run. finished(): all blocks until now are over.
+  void started() { release(start_); }
+  void finished() { acquire(finish_); }
 
   /// Lives as long as a block of the loop.
   class Block {

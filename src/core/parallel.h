@@ -3,9 +3,12 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "core/happens_before.h"
 
@@ -56,5 +59,41 @@ Value parallelReduce(std::size_t begin, std::size_t end, std::size_t grain, cons
       },
       join);
 }
+
+/// Work that other threads do beside the one that adds it.
+class Tasks {
+ public:
+  /// body(number) will be called for each number added, from several threads, in any order.
+  explicit Tasks(std::function<void(std::size_t)> body) : body_(std::move(body)) {}
+  /// Drops what has not begun, unless wait() has been called.
+  ~Tasks() {
+    group_.cancel();
+    try {
+      wait();
+    } catch (...) {  // it has been thrown by wait() before, or something else is on its way
+    }
+  }
+  Tasks(const Tasks&) = delete;
+  Tasks& operator=(const Tasks&) = delete;
+
+  /// What the body needs for `number` must be there.
+  void add(std::size_t number) {
+    order_.started();
+    group_.run([this, number] {
+      const LoopOrder::Block block(order_);
+      body_(number);
+    });
+  }
+  /// Returns when all that was added is done; rethrows what a body threw.
+  void wait() {
+    group_.wait();
+    order_.finished();
+  }
+
+ private:
+  std::function<void(std::size_t)> body_;
+  LoopOrder order_;
+  tbb::task_group group_;
+};
 
 }  // namespace havs

@@ -27,43 +27,34 @@ constexpr std::array<CellFaces, 256> kCellFaces = [] {
 
 }  // namespace
 
-FacePieces::FacePieces(std::span<const std::array<Index, 4>> facesOfCell, std::span<const CellMarks> marks,
-                       std::span<const Index> cells, std::span<Index> faces,
+FacePieces::FacePieces(std::size_t most, std::span<const std::array<Index, 4>> facesOfCell,
+                       std::span<const CellMarks> marks, std::span<const Index> cells, std::span<Index> faces,
                        const std::function<void(std::size_t)>& ready)
     : facesOfCell_(facesOfCell),
       marks_(marks),
       cells_(cells),
       faces_(faces),
       ready_(ready),
-      alone_(threadCount() == 1) {}
-
-FacePieces::~FacePieces() {
-  tasks_.cancel();  // there are none left unless something was thrown
-  try {
-    tasks_.wait();
-  } catch (...) {
-  }
+      alone_(threadCount() == 1),
+      isWritten_(most, 0),
+      tasks_([this](std::size_t number) {
+        write(pieces_[number]);
+        announce(number);
+      }) {
+  pieces_.reserve(most);
 }
 
 void FacePieces::add(const Piece& piece) {
-  const std::size_t number = pieces_++;
+  pieces_.push_back(piece);
   if (alone_) {
     write(piece);
-    if (ready_) ready_(piece.endFace);
-    return;
+    announce(pieces_.size() - 1);
+  } else {
+    tasks_.add(pieces_.size() - 1);
   }
-  added_.store(pieces_, std::memory_order_release);
-  tasks_.run([this, piece, number] {
-    added_.load(std::memory_order_acquire);  // what the search wrote for this piece
-    write(piece);
-    announce(number, piece.endFace);
-  });
 }
 
-void FacePieces::finish() {
-  tasks_.wait();
-  const std::lock_guard lock(mutex_);  // what the tasks wrote
-}
+void FacePieces::finish() { tasks_.wait(); }
 
 void FacePieces::write(const Piece& piece) const {
   Index* face = faces_.data() + piece.firstFace;
@@ -85,13 +76,22 @@ void FacePieces::write(const Piece& piece) const {
   }
 }
 
-void FacePieces::announce(std::size_t number, std::size_t endFace) {
-  const std::lock_guard lock(mutex_);
-  if (ends_.size() <= number) ends_.resize(number + 1, 0);
-  ends_[number] = endFace;
-  const std::size_t before = announced_;
-  while (announced_ < ends_.size() && ends_[announced_] != 0) ++announced_;
-  if (announced_ > before && ready_) ready_(ends_[announced_ - 1]);
+/// One thread at a time announces, without the lock: what `ready` does may lead it here again.
+void FacePieces::announce(std::size_t number) {
+  std::unique_lock lock(mutex_);
+  isWritten_[number] = 1;
+  if (isAnnouncing_) return;
+  isAnnouncing_ = true;
+  for (;;) {
+    const std::size_t before = announced_;
+    while (announced_ < isWritten_.size() && isWritten_[announced_] != 0) ++announced_;
+    if (announced_ == before) break;
+    const std::size_t ready = pieces_[announced_ - 1].endFace;
+    lock.unlock();
+    if (ready_) ready_(ready);
+    lock.lock();
+  }
+  isAnnouncing_ = false;
 }
 
 }  // namespace havs

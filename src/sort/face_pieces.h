@@ -1,14 +1,12 @@
 #pragma once
 // Cells in order become faces in order, piece by piece.
-#include <tbb/task_group.h>
-
 #include <array>
-#include <atomic>
 #include <functional>
 #include <mutex>
 #include <span>
 #include <vector>
 
+#include "core/parallel.h"
 #include "sort/cell_search.h"
 
 namespace havs {
@@ -22,12 +20,9 @@ class FacePieces {
     std::size_t firstCell, endCell, firstFace, endFace;
   };
 
-  FacePieces(std::span<const std::array<Index, 4>> facesOfCell, std::span<const CellMarks> marks,
+  /// `most`: pieces at the most.
+  FacePieces(std::size_t most, std::span<const std::array<Index, 4>> facesOfCell, std::span<const CellMarks> marks,
              std::span<const Index> cells, std::span<Index> faces, const std::function<void(std::size_t)>& ready);
-  ~FacePieces();
-  FacePieces(const FacePieces&) = delete;
-  FacePieces& operator=(const FacePieces&) = delete;
-
   /// The cells of the piece are written. Pieces must come one behind the other.
   void add(const Piece& piece);
   /// Returns when all pieces are written; rethrows what `ready` threw.
@@ -35,7 +30,7 @@ class FacePieces {
 
  private:
   void write(const Piece& piece) const;
-  void announce(std::size_t number, std::size_t endFace);
+  void announce(std::size_t number);
 
   std::span<const std::array<Index, 4>> facesOfCell_;
   std::span<const CellMarks> marks_;
@@ -43,12 +38,12 @@ class FacePieces {
   std::span<Index> faces_;
   const std::function<void(std::size_t)>& ready_;
   bool alone_;
-  std::size_t pieces_ = 0;
-  std::atomic<std::size_t> added_ = 0;
+  std::vector<Piece> pieces_;  ///< never moves, as other threads read of it
   std::mutex mutex_;
-  std::vector<std::size_t> ends_;  ///< last face of each piece that is written, 0 of the others
-  std::size_t announced_ = 0;
-  tbb::task_group tasks_;
+  std::vector<char> isWritten_;  ///< one a piece
+  std::size_t announced_ = 0;    ///< pieces
+  bool isAnnouncing_ = false;
+  Tasks tasks_;
 };
 
 }  // namespace havs

@@ -146,7 +146,7 @@ void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
     const bool sidesChanged = findSides(), startsChanged = findStarts();
     isSearched_ = isSearched_ && !sidesChanged && !startsChanged;
   }
-  FacePieces pieces(input_.faces->ofCell, marks_, cells_, order.faces, ready);
+  FacePieces pieces(cells_.size() / kCellsOfPiece + 1, input_.faces->ofCell, marks_, cells_, order.faces, ready);
   if (isSearched_) {
     for (const FacePieces::Piece& piece : pieces_) pieces.add(piece);
   } else {
