@@ -5,3 +5,6 @@
 #include "core/exact.glsl"
 
 Rgba lookUp(Segment segment) { return exactSegment(segment.scalarFront, segment.scalarBack, segment.length); }
+
+// About how many turns more than one a segment takes: the native device has lanes of equal work go together.
+Real workOf(Segment segment) { return absolute(pieceNear(segment.scalarBack) - pieceNear(segment.scalarFront)); }

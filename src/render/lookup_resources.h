@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/progress.h"
@@ -32,7 +33,7 @@ struct ResourceTable {
 /// Tables and numbers by the names that they have in shaders/.
 struct ResourceData {
   std::map<std::string, ResourceTable> tables;
-  std::map<std::string, float> numbers;  ///< whole ones for an int of the shaders
+  std::map<std::string, std::variant<int, float>> numbers;
 };
 
 /// All that the plan's lookup reads, one for each of its resources. Throws Error{running} (no memory).

@@ -37,7 +37,7 @@ struct Lookup {
   std::string shader;                  ///< file below shaders/ that defines lookUp(Segment)
   std::vector<std::string> resources;  ///< rows of lookupResources() that the shader reads
   std::string parameter;               ///< what a number behind its name and a colon stands for; empty: takes none
-  int number = 0;                      ///< that number, of a chosen lookup; HAVS_LOOKUP_NUMBER in the shader
+  int number = 0;                      ///< that number, of a chosen lookup; lookupNumber in the shader
   Payload carries = Payload::scalar;   ///< what it needs of the fragments
 };
 /// The rows; a name ends with ":n" where a number belongs to it.

@@ -11,7 +11,8 @@ LookupTextures::LookupTextures(const PreparedScene& prepared, const RenderPlan& 
         addFiltered(name, table, plan.tableFormat);
       }
     }
-    for (const auto& [name, number] : resource.numbers) uniforms_[name] = number;
+    for (const auto& [name, number] : resource.numbers)
+      std::visit([&, &uniform = uniforms_[name]](auto n) { uniform = n; }, number);
   }
 }
 

@@ -25,7 +25,7 @@ class LookupTextures {
   void addFiltered(const std::string& name, const ResourceTable& table, const TableFormat& format);
 
   std::map<std::string, Texture> samplers_;
-  std::map<std::string, std::variant<float, glm::vec3>> uniforms_;
+  std::map<std::string, std::variant<int, float, glm::vec3>> uniforms_;
   std::vector<Buffer> buffers_;  // that buffer textures look at
 };
 

@@ -2,9 +2,8 @@
 // lanes. CMake compiles it once for each lookup (HAVS_LOOKUP_NAME; its file is "lookup.glsl") and instruction set.
 // The words of the shaders are spelled as in shaders/core/language.glsl; uniforms are members of the class that they
 // are included into, set by their names.
+#include "render/native/equal_work.h"
 #include "render/native/segment_kernels.h"
-#include "render/native/segment_queue.h"
-#include "render/native/table_fetch.h"
 
 #define FUNCTION static inline
 #define INOUT(T) T&
@@ -72,13 +71,13 @@ struct Shading {
 #include "segment_color.glsl"
 };
 
-Shading::Segment segmentAt(const SegmentQueue& queue, std::size_t i) {
+Shading::Segment segmentAt(const QueuedSegments& segments, std::size_t i) {
   Shading::Segment segment;
-  segment.front = {queue.front[0].data() + i};
-  segment.back = {queue.back[0].data() + i};
-  segment.scalarFront = Lanes::load(queue.scalarFront.data() + i);
-  segment.scalarBack = Lanes::load(queue.scalarBack.data() + i);
-  segment.length = Lanes::load(queue.length.data() + i);
+  segment.front = {segments.front + i};
+  segment.back = {segments.back + i};
+  segment.scalarFront = Lanes::load(segments.scalarFront + i);
+  segment.scalarBack = Lanes::load(segments.scalarBack + i);
+  segment.length = Lanes::load(segments.length + i);
   segment.visible = segment.length >= Shading::Real(0.0f);
   return segment;
 }
@@ -91,13 +90,32 @@ void fillLastLanes(SegmentQueue& queue) {
   }
 }
 
+/// Shades them by equal work where the lookup knows it and that pays; false: it does not.
+template <class AnyShading>
+[[gnu::flatten]] bool shadedByWork(AnyShading& shading, SegmentQueue& queue) {
+  if constexpr (requires(Shading::Segment segment) { shading.workOf(segment); }) {
+    const auto work = [&](std::size_t first, std::int32_t* turns) {
+      Lanes::storeInts(turns, Lanes::toInt(shading.workOf(segmentAt(QueuedSegments(queue), first))));
+    };
+    if (!manyIdle(queue.count, work)) return false;
+    const EqualWork sorted(queue, work);
+    const QueuedSegments segments = sorted.segments(queue);
+    for (std::size_t i = 0; i < queue.count; i += Lanes::kLanes)
+      sorted.store(queue.rgba.data(), i, shading.segmentColor(segmentAt(segments, i)));
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 [[gnu::flatten]] void HAVS_SEGMENT_KERNEL(HAVS_LOOKUP_NAME)(const LookupData& data, SegmentQueue& queue) {
   Shading shading{data};
   fillLastLanes(queue);
+  if (shadedByWork(shading, queue)) return;
+  const QueuedSegments segments(queue);
   for (std::size_t i = 0; i < queue.count; i += Lanes::kLanes)
-    storeColor(queue.rgba.data() + 4 * i, shading.segmentColor(segmentAt(queue, i)));
+    storeColor(queue.rgba.data() + 4 * i, shading.segmentColor(segmentAt(segments, i)));
 }
 
 }  // namespace havs

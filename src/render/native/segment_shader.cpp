@@ -54,7 +54,8 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
   LookupData& lookup = data_->lookup;
   for (const ResourceData& resource : makeResources(prepared, plan, progress)) {
     for (const auto& [name, table] : resource.tables) addTable(lookup, name, data_->tables.emplace_back(layOut(table)));
-    for (const auto& [name, number] : resource.numbers) addNumber(lookup, name, number);
+    for (const auto& [name, number] : resource.numbers)
+      addNumber(lookup, name, std::visit([](auto n) { return static_cast<float>(n); }, number));
   }
   if (plan.lookup.carries == Payload::color)
     addNumber(lookup, "mostExtinction", static_cast<float>(prepared.curve.maximumKappa));
