@@ -81,7 +81,7 @@ ResourceData makeOpaqueIntervals(const ResourceInput& input) {
   }
   ResourceData made;
   made.tables["opaqueIntervals"] = numbers(std::move(ends));
-  made.numbers["opaqueCount"] = static_cast<int>(opaque.size());
+  made.numbers["opaqueCount"] = static_cast<float>(opaque.size());
   return made;
 }
 
