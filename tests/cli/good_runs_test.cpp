@@ -79,6 +79,7 @@ TEST_F(Render, JsonTellsWhatWasDrawn) {
       render({"-o", "a.png", "--json", "--k", "3", "--sort", "centroid", "--unit-length", "0.5"}));
   EXPECT_EQ(json["mesh"]["points"], 8);
   EXPECT_EQ(json["mesh"]["cells"], 6);
+  EXPECT_EQ(json["mesh"]["drawn_cells"], 6);
   EXPECT_EQ(json["mesh"]["faces"], 18);           // 6 around the diagonal, 12 on the surface
   EXPECT_EQ(json["mesh"]["boundary_faces"], 12);  // two a side
   EXPECT_EQ(json["field"]["centering"], "point");
