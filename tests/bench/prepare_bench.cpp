@@ -10,6 +10,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "bench_mesh.h"
 #include "core/error.h"
 #include "core/median.h"
 #include "core/memory.h"
@@ -149,13 +150,7 @@ void tableStages(Bench& bench, const PreparedScene& prepared, const std::vector<
 }
 
 nlohmann::ordered_json measure(const Options& options) {
-  ReadOptions reading;
-  reading.tetgenSwitches = options.switches;
-  TetMesh mesh = readMesh(options.mesh, reading);
-  if (options.mesh == Options{}.mesh) {
-    mesh.pointFields = {fieldFromExpression(mesh, "s", "0.5+0.25*sin(7*x)*cos(5*y)+0.2*sin(6*z+3*x*y)")};
-    mesh.cellFields.clear();
-  }
+  TetMesh mesh = benchMesh(options.mesh, options.switches);
   Scene scene;
   scene.field = options.field;
   nlohmann::ordered_json json{{"mesh", options.mesh},

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "bench_mesh.h"
 #include "core/error.h"
 #include "core/median.h"
 #include "core/memory.h"
@@ -34,17 +35,6 @@ struct Variant {
   Image image;
 };
 
-TetMesh meshOf(const Options& options) {
-  ReadOptions reading;
-  reading.tetgenSwitches = options.switches;
-  TetMesh mesh = readMesh(options.mesh, reading);
-  if (options.mesh == Options{}.mesh) {
-    mesh.pointFields = {fieldFromExpression(mesh, "s", "0.5+0.25*sin(7*x)*cos(5*y)+0.2*sin(6*z+3*x*y)")};
-    mesh.cellFields.clear();
-  }
-  return mesh;
-}
-
 double greatestDifference(const Image& a, const Image& b) {
   double greatest = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i)
@@ -56,7 +46,7 @@ nlohmann::ordered_json measure(Options options) {
   Scene& scene = options.scene;
   scene.width = scene.height = options.size;
   StageTimes stages;
-  const PreparedScene prepared = prepareScene(scene, meshOf(options), stages);
+  const PreparedScene prepared = prepareScene(scene, benchMesh(options.mesh, options.switches), stages);
   const View view = viewOf(scene, prepared);
   const auto device = makeDevice(scene.device);
   const RenderPlan chosen = plan(scene, prepared.facts(), capabilitiesOf(*device));

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "bench_mesh.h"
 #include "core/error.h"
 #include "core/median.h"
 #include "core/memory.h"
@@ -73,13 +74,7 @@ nlohmann::ordered_json asJson(const Run& run, const View& view) {
 }
 
 nlohmann::ordered_json measure(const Options& options) {
-  ReadOptions reading;
-  reading.tetgenSwitches = options.switches;
-  TetMesh mesh = readMesh(options.mesh, reading);
-  if (options.mesh == Options{}.mesh) {
-    mesh.pointFields = {fieldFromExpression(mesh, "s", "0.5+0.25*sin(7*x)*cos(5*y)+0.2*sin(6*z+3*x*y)")};
-    mesh.cellFields.clear();
-  }
+  TetMesh mesh = benchMesh(options.mesh, options.switches);
   Scene scene;
   scene.field = options.field;
   scene.lookup = options.lookup;

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "bench_mesh.h"
 #include "core/error.h"
 #include "core/median.h"
 #include "core/memory.h"
@@ -42,17 +43,6 @@ struct Times {
   }
   nlohmann::ordered_json json() const { return {{"wall_ms", medianOf(wall)}, {"cpu_ms", medianOf(cpu)}}; }
 };
-
-TetMesh meshOf(const Options& options) {
-  ReadOptions reading;
-  reading.tetgenSwitches = options.switches;
-  TetMesh mesh = readMesh(options.mesh, reading);
-  if (options.mesh == Options{}.mesh) {
-    mesh.pointFields = {fieldFromExpression(mesh, "s", "0.5+0.25*sin(7*x)*cos(5*y)+0.2*sin(6*z+3*x*y)")};
-    mesh.cellFields.clear();
-  }
-  return mesh;
-}
 
 double greatestDifference(const Image& a, const Image& b) {
   double greatest = 0;
@@ -147,7 +137,7 @@ int main(int argc, char** argv) {
   app.add_option("--repeat", options.repeat, "counted frames")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
-    const havs::TetMesh mesh = havs::meshOf(options);
+    const havs::TetMesh mesh = havs::benchMesh(options.mesh, options.switches);
     const auto device = havs::makeDevice(havs::Scene{}.device);
     nlohmann::ordered_json json = nlohmann::json::array();
     for (const std::string& name : options.transferFunctions)
