@@ -17,11 +17,12 @@ FUNCTION Real pastLow(Piece piece, Real s) { return (s - piece.place.r) - piece.
 FUNCTION Real beforeHigh(Piece piece, Real s) { return (piece.place.b - s) + piece.place.a; }
 FUNCTION Real extentOf(Piece piece) { return (piece.place.b - piece.place.r) + (piece.place.a - piece.place.g); }
 
-// Where s lies in the piece, from 0 to 1.
-FUNCTION Real shareOf(Piece piece, Real s) {
-  Real share = pastLow(piece, s) / extentOf(piece);
+// Where s lies in the piece, from 0 to 1. perExtent: 1 / extentOf(piece).
+FUNCTION Real shareOf(Piece piece, Real s, Real perExtent) {
+  Real share = pastLow(piece, s) * perExtent;
   return select(share > Real(0.0), select(share < Real(1.0), share, Real(1.0)), Real(0.0));
 }
+FUNCTION Real shareOf(Piece piece, Real s) { return shareOf(piece, s, Real(1.0) / extentOf(piece)); }
 
 FUNCTION Rgba mixed(Rgba low, Rgba high, Real share) {
   Real rest = Real(1.0) - share;

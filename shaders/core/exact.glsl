@@ -101,10 +101,10 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
   Real direction = select(rises, Real(1.0), Real(-1.0));
   Real borderShare = select(rises, Real(1.0), Real(0.0));
   Real whole = absolute(scalarBack - scalarFront);
-  Real wholeOrOne = select(whole > Real(0.0), whole, Real(1.0));
 
   Piece piece = findPiece(WITH_TABLES scalarFront);
-  Real share = shareOf(piece, scalarFront);
+  Real perExtent = Real(1.0) / extentOf(piece);
+  Real share = shareOf(piece, scalarFront, perExtent);
   Real toBorder = select(rises, beforeHigh(piece, scalarFront), pastLow(piece, scalarFront));
   Real toBack = whole;
   LongSum light;
@@ -113,10 +113,13 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
   Mask goesOn = length >= Real(0.0);
   do {
     Mask crosses = toBorder < toBack;
-    Real farShare = select(crosses, borderShare, shareOf(piece, scalarBack));
+    Real farShare = select(crosses, borderShare, shareOf(piece, scalarBack, perExtent));
     Rgba low = TABLE(pieceLow)(piece.number);
     Rgba high = TABLE(pieceHigh)(piece.number);
-    Real part = select(whole > Real(0.0), atMost(toBorder, toBack) / wholeOrOne, Real(1.0));
+    Real stretch = atMost(toBorder, toBack);
+    Mask isPart = stretch < whole;
+    Real part = Real(1.0);
+    WHERE_ANY(isPart) { part = select(isPart, stretch / whole, Real(1.0)); }
     addPiece(light, mixed(low, high, share), mixed(low, high, farShare), select(goesOn, part * length, Real(0.0)));
     goesOn = goesOn && crosses && transparencyOf(light) > Real(kUsedUp);
 
@@ -125,6 +128,7 @@ TABLE_FUNCTION Rgba exactSegment(TABLES Real scalarFront, Real scalarBack, Real 
       piece.place = TABLE(piecePlace)(piece.number);
       share = Real(1.0) - borderShare;
       toBorder = extentOf(piece);
+      perExtent = Real(1.0) / toBorder;
       toBack = select(rises, pastLow(piece, scalarBack), beforeHigh(piece, scalarBack));
     }
   } while (anyLane(goesOn));

@@ -1,7 +1,7 @@
 #include "render/native/face_bins.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "core/parallel.h"
 
@@ -11,10 +11,15 @@ namespace {
 constexpr std::size_t kGrain = 8192;
 constexpr std::size_t kBlocks = 32;  // more would need more memory for the counts of large pictures
 
-/// Pixels whose centres lie in [low, high], which is widened a little for the rounding of the divisions.
-std::array<double, 2> pixelsIn(double low, double high, int size) {
+constexpr std::int32_t kBehindEye = -1;
+
+/// Of a place along an axis: the first pixel whose centre lies behind it and the last whose centre lies before it, both
+/// by a margin for the rounding of the divisions. Beyond the picture, pixels before and behind all of it.
+std::array<std::int32_t, 2> pixelsAt(double place, int size) {
   constexpr double kMargin = 1e-6;
-  return {std::max(std::ceil(low - 0.5 - kMargin), 0.0), std::min(std::floor(high - 0.5 + kMargin), size - 1.0)};
+  const double inside = std::clamp(place, -1.0, size + 1.0) + 1.5;  // positive, so that a cast rounds down
+  return {std::max(static_cast<std::int32_t>(inside - kMargin) - 1, 0),
+          std::min(static_cast<std::int32_t>(inside + kMargin) - 2, size - 1)};
 }
 
 }  // namespace
@@ -23,34 +28,36 @@ TileGrid tileGrid(int width, int height, int side) {
   return {side, (width + side - 1) / side, (height + side - 1) / side};
 }
 
-void FaceBins::findTiles(const RasterMesh& mesh, std::size_t faceCount, const TileGrid& grid) {
+void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, std::size_t faceCount, const TileGrid& grid) {
   grid_ = grid;
+  pixels_.resize(pointCount);
+  parallelFor(0, pointCount, kGrain, [&](std::size_t i) {
+    const RasterPoint& p = mesh.points[i];
+    pixels_[i].left = kBehindEye;
+    if (!(p.w > 0)) return;
+    const auto [left, right] = pixelsAt(p.column, mesh.width);
+    const auto [top, bottom] = pixelsAt(p.row, mesh.height);
+    pixels_[i] = {left, top, right, bottom};
+  });
+
   boxes_.resize(faceCount);
-  const auto side = static_cast<double>(grid.side);
+  const float perSide = 1.0f / static_cast<float>(grid.side);
+  const auto tileOf = [&](std::int32_t pixel) {
+    return static_cast<std::uint16_t>((static_cast<float>(pixel) + 0.5f) * perSide);
+  };
+  const TileBox none{1, 1, 0, 0};
   const TileBox all{0, 0, static_cast<std::uint16_t>(grid.across - 1), static_cast<std::uint16_t>(grid.down - 1)};
   parallelFor(0, faceCount, kGrain, [&](std::size_t f) {
-    double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
-    bool before = true, behind = true;
-    for (const std::uint32_t v : {mesh.faces[f][0], mesh.faces[f][1], mesh.faces[f][2]}) {
-      const RasterPoint& p = mesh.points[v];
-      before = before && p.w > 0;
-      behind = behind && !(p.w > 0);
-      low[0] = std::min(low[0], p.column);
-      high[0] = std::max(high[0], p.column);
-      low[1] = std::min(low[1], p.row);
-      high[1] = std::max(high[1], p.row);
+    const PixelBox &a = pixels_[mesh.faces[f][0]], &b = pixels_[mesh.faces[f][1]], &c = pixels_[mesh.faces[f][2]];
+    const std::int32_t left = std::min({a.left, b.left, c.left});
+    if (left == kBehindEye) {
+      boxes_[f] = std::max({a.left, b.left, c.left}) == kBehindEye ? none : all;
+      return;
     }
-    const auto [left, right] = pixelsIn(low[0], high[0], mesh.width);
-    const auto [top, bottom] = pixelsIn(low[1], high[1], mesh.height);
-    TileBox& box = boxes_[f];
-    if (behind || (before && !(left <= right && top <= bottom))) {
-      box = {1, 1, 0, 0};
-    } else if (!before) {
-      box = all;
-    } else {
-      box = {static_cast<std::uint16_t>(left / side), static_cast<std::uint16_t>(top / side),
-             static_cast<std::uint16_t>(right / side), static_cast<std::uint16_t>(bottom / side)};
-    }
+    const std::int32_t right = std::max({a.right, b.right, c.right});
+    const std::int32_t top = std::min({a.top, b.top, c.top}), bottom = std::max({a.bottom, b.bottom, c.bottom});
+    const bool empty = left > right || top > bottom;
+    boxes_[f] = empty ? none : TileBox{tileOf(left), tileOf(top), tileOf(right), tileOf(bottom)};
   });
 }
 

@@ -20,7 +20,7 @@ TileGrid tileGrid(int width, int height, int side);
 class FaceBins {
  public:
   /// Finds the tiles that each face may cover: those with a pixel centre in its bounding box.
-  void findTiles(const RasterMesh& mesh, std::size_t faceCount, const TileGrid& grid);
+  void findTiles(const RasterMesh& mesh, std::size_t pointCount, std::size_t faceCount, const TileGrid& grid);
 
   /// Counts the pairs for `order`, which must stay as it is until the last list is filled.
   void count(std::span<const Index> order, const Faces& faces);
@@ -35,11 +35,16 @@ class FaceBins {
   struct TileBox {
     std::uint16_t left, top, right, bottom;  ///< both ends included; left > right: none
   };
+  /// Of a point: the first and last pixels that a box which ends there may cover.
+  struct PixelBox {
+    std::int32_t left, top, right, bottom;
+  };
   template <class Visit>
   void visitTiles(Index face, std::size_t firstTile, std::size_t lastTile, const Visit& visit) const;
 
   TileGrid grid_;
-  std::vector<TileBox> boxes_;
+  std::vector<PixelBox> pixels_;  ///< of the points
+  std::vector<TileBox> boxes_;    ///< of the faces
   std::span<const Index> order_;
   const Faces* faces_ = nullptr;
   std::size_t blocks_ = 0;             ///< of the order, each binned by one thread

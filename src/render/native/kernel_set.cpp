@@ -7,28 +7,29 @@
 namespace havs {
 namespace {
 
-template <int kAttributes, bool kSpeculative, int K = 1>
+template <int kAttributes, int K = 1>
 TileKernel kernelOf(int k) {
-  if constexpr (K > (kSpeculative ? 2 : kLargestK)) {
+  if constexpr (K > kLargestK) {
     return nullptr;
   } else {
-    return k == K ? drawTileKernel<SimdLanes, K, kAttributes, kSpeculative>
-                  : kernelOf<kAttributes, kSpeculative, K + 1>(k);
+    return k == K ? drawTileKernel<SimdLanes, EntriesOfPixels<SimdLanes, K, kAttributes>, kAttributes>
+                  : kernelOf<kAttributes, K + 1>(k);
   }
 }
 
 TileKernel tileKernel(int k, Payload carries) {
-  return carries == Payload::color ? kernelOf<4, false>(k) : kernelOf<1, false>(k);
+  return carries == Payload::color ? kernelOf<4>(k) : kernelOf<1>(k);
 }
 
-TileKernel speculativeTileKernel(int k, Payload carries) {
-  return carries == Payload::color ? kernelOf<4, true>(k) : kernelOf<1, true>(k);
+TileKernel orderedTileKernel(Payload carries) {
+  return carries == Payload::color ? drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, 4>, 4>
+                                   : drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, 1>, 1>;
 }
 
 }  // namespace
 
 const KernelSet& HAVS_KERNELS() {
-  static const KernelSet set{tileKernel, speculativeTileKernel, kSegmentKernels};
+  static const KernelSet set{tileKernel, orderedTileKernel, kSegmentKernels};
   return set;
 }
 

@@ -23,10 +23,9 @@ struct NamedSegmentKernel {
 struct KernelSet {
   /// k from 1 to kLargestK.
   TileKernel (*tileKernel)(int k, Payload carries);
-  /// A k-buffer that flags pixels instead of dropping fragments: where a fragment comes nearer than the nearest of its
-  /// pixel's entries after one has left. All other pixels have left in the order of their distances, and are, to the
-  /// last bit, what every larger k gives.
-  TileKernel (*speculativeTileKernel)(int k, Payload carries);
+  /// For fragments that come in order: keeps the last one of a pixel, and flags the pixel where one comes nearer than
+  /// that. All other pixels are, to the last bit, what every k gives.
+  TileKernel (*orderedTileKernel)(Payload carries);
   /// Of every lookup; ends with a null shader.
   const NamedSegmentKernel* segmentKernels;
 };

@@ -59,6 +59,10 @@ struct LanePairs {
     Base::storeInts(to, i.a);
     Base::storeInts(to + Base::kLanes, i.b);
   }
+  static constexpr bool kChooses = Base::kChooses;
+  static Real choose(const float* table, int entries, Int i) {
+    return {Base::choose(table, entries, i.a), Base::choose(table, entries, i.b)};
+  }
   static Real gather(const float* base, Int i) { return {Base::gather(base, i.a), Base::gather(base, i.b)}; }
   static void loadRgba(const float* base, const std::int32_t* offsets, Real (&color)[4]) {
     typename Base::Real a[4], b[4];

@@ -12,11 +12,17 @@ constexpr std::uint64_t nameKey(const char* name) {
   return key;
 }
 
+/// Entries that fit into registers, where the instruction set can choose from them.
+inline constexpr int kSmallTable = 64;
+
 struct LookupData {
   /// A uniform of the shaders: a table or a number.
   struct Uniform {
     std::uint64_t key = 0;          ///< nameKey of its name
     const float* values = nullptr;  ///< of a table; 4 numbers an entry where it is filtered
+    /// Of a table of at most kSmallTable entries of 4 numbers, read by number: these once more, kSmallTable of each
+    /// channel in turn; else null.
+    const float* channels = nullptr;
     std::int32_t size[3]{};         ///< entries along its axes
     std::int32_t step[3]{};         ///< from an entry to its neighbour along each, in entries; along the last 1
     float number = 0;

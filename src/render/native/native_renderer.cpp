@@ -22,8 +22,6 @@ namespace {
 constexpr int kTileSide = 64;  // at most kLargestTileStamps stamps
 /// (Tile, face) pairs that are kept at once, 4 bytes each: many more than faces only where faces cover many tiles.
 constexpr std::size_t kMostPairs = std::size_t{1} << 25;
-/// Largest k of the kernels that flag pixels instead of dropping fragments: most orders need no more.
-constexpr int kSpeculativeK = 2;
 
 static_assert(sizeof(std::array<Index, 3>) == sizeof(std::uint32_t[3]));
 
@@ -41,8 +39,8 @@ class NativeKBufferRenderer final : public Renderer {
     setting_.kernel = kernels.tileKernel(plan.k, plan.lookup.carries);
     // With early termination, which fragments a pixel still looks at depends on k: a smaller one may be done before it
     // meets the fragment that shows it to be wrong.
-    if (plan.speculate && plan.k > kSpeculativeK && !(plan.earlyTermination > 0))
-      setting_.speculative = kernels.speculativeTileKernel(kSpeculativeK, plan.lookup.carries);
+    if (plan.speculate && plan.k > 1 && !(plan.earlyTermination > 0))
+      setting_.ordered = kernels.orderedTileKernel(plan.lookup.carries);
     setting_.k = plan.k;
     setting_.attributes = plan.lookup.carries == Payload::color ? 4 : 1;
     setting_.certificate = plan.certificate;
@@ -61,7 +59,7 @@ class NativeKBufferRenderer final : public Renderer {
       tbb::parallel_invoke([&] { sorter_->sort(viewPointOf(view), order_); },
                            [&] {
                              placePoints(view);
-                             bins_.findTiles(mesh_, prepared_.faces.size(), grid);
+                             bins_.findTiles(mesh_, points_.size(), prepared_.faces.size(), grid);
                            });
     }
     bool late = false;

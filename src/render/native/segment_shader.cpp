@@ -26,6 +26,7 @@ void addNumber(LookupData& data, const std::string& name, float number) { addUni
 void addTable(LookupData& data, const std::string& name, const LaidOutTable& table) {
   LookupData::Uniform& uniform = addUniform(data, name);
   uniform.values = table.values.get();
+  uniform.channels = table.channels.get();
   std::copy(table.sizes.begin(), table.sizes.end(), uniform.size);
   std::copy(table.steps.begin(), table.steps.end(), uniform.step);
 }

@@ -37,6 +37,12 @@ struct Indices {
 };
 
 inline LaneColor rgbaAt(const Texels& texels, Lanes::Int i) {
+  if constexpr (Lanes::kChooses) {
+    if (texels.channels != nullptr) {
+      const auto channel = [&](int c) { return Lanes::choose(texels.channels + c * kSmallTable, texels.size[0], i); };
+      return {channel(0), channel(1), channel(2), channel(3)};
+    }
+  }
   return loadColor(texels.values, Indices(Lanes::Int(4) * i).at);
 }
 inline Lanes::Real numberAt(const Texels& texels, Lanes::Int i) { return Lanes::gather(texels.values, i); }

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "core/parallel.h"
+#include "render/native/lookup_data.h"
 
 namespace havs {
 namespace {
@@ -40,6 +41,12 @@ LaidOutTable layOut(const ResourceTable& table) {
   if (table.sizes.size() == 1) {
     made.values = allocate(table.values.size());
     std::copy(table.values.begin(), table.values.end(), made.values.get());
+    const auto entries = static_cast<std::size_t>(made.sizes[0]);
+    if (entries <= kSmallTable && table.values.size() == 4 * entries) {
+      made.channels = allocate(4 * std::size_t{kSmallTable});
+      std::fill_n(made.channels.get(), 4 * std::size_t{kSmallTable}, 0.0f);
+      for (std::size_t i = 0; i < table.values.size(); ++i) made.channels[i % 4 * kSmallTable + i / 4] = table.values[i];
+    }
     return made;
   }
   const auto [nx, ny, nz] = made.sizes;

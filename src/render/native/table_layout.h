@@ -18,6 +18,7 @@ using ScatteredFloats = std::unique_ptr<float[], FreeMemory>;
 /// A table in memory as the native device's kernels read it.
 struct LaidOutTable {
   ScatteredFloats values;
+  ScatteredFloats channels;                    ///< LookupData::Uniform::channels
   std::array<std::int32_t, 3> sizes{1, 1, 1};  ///< entries along each axis
   std::array<std::int32_t, 3> steps{};         ///< from an entry to its neighbour along each axis, in entries
 };

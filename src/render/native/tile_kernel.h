@@ -35,16 +35,159 @@ struct PayloadFor<4, Lanes> {
   using Type = ColorPayload<L>;
 };
 
-template <class Lanes, int K, int kAttributes, bool kSpeculative>
-class TileDrawer {
+/// What a stamp's pixels keep of a fragment, in floats of kStampPixels lanes each.
+template <class A, class Lanes, int kAttributes>
+struct StoredFragment {
+  static constexpr int kNumbers = 2 + kAttributes;
+
+  static typename A::Fragment load(const float* at) {
+    typename A::Fragment f;
+    f.distance = Lanes::load(at);
+    f.payload.kind = Lanes::load(at + kStampPixels);
+    if constexpr (kAttributes == 1) {
+      f.payload.scalar = Lanes::load(at + 2 * kStampPixels);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) f.payload.color[i] = Lanes::load(at + (2 + i) * kStampPixels);
+    }
+    return f;
+  }
+  static void store(float* at, const typename A::Fragment& f) {
+    Lanes::store(at, f.distance);
+    Lanes::store(at + kStampPixels, f.payload.kind);
+    if constexpr (kAttributes == 1) {
+      Lanes::store(at + 2 * kStampPixels, f.payload.scalar);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) Lanes::store(at + (2 + i) * kStampPixels, f.payload.color[i]);
+    }
+  }
+};
+
+/// What comes of a fragment in each pixel of a group: the segment that has left; pixels where the fragment is `wrong`,
+/// as it should have come earlier; and those where it was taken.
+template <class Segment>
+struct Inserted {
+  Segment segment;
+  unsigned wrong, taken;
+};
+
+/// The k-buffer of a group's pixels.
+template <class Lanes, int K, int kAttributes>
+class EntriesOfPixels {
+ public:
   using A = Arithmetic<Lanes, K, PayloadFor<kAttributes, Lanes>::template Type>;
+  using Stored = StoredFragment<A, Lanes, kAttributes>;
+  static constexpr bool kFlagsWrong = false;  ///< wrong fragments are late: counted
+  static constexpr int kNumbers = 2 + K * Stored::kNumbers;
+
+  explicit EntriesOfPixels(float* state) : state_(state) {}
+
+  void begin() {
+    storePixel({Real(0.0f), Real(0.0f)});
+    for (int i = 0; i < K; ++i) Stored::store(entryAt(i), A::emptyFragment());
+  }
+
+  Inserted<typename A::Segment> insert(const typename A::Fragment& incoming, unsigned bits, bool compositeLate) {
+    typename A::KBuffer kbuffer = entries();
+    typename A::PixelState pixel = loadPixel();
+    Inserted<typename A::Segment> done;
+    done.wrong = bits & Lanes::bitsOf(A::isLate(kbuffer, pixel, incoming));
+    done.taken = bits;
+    if (done.wrong != 0 && !compositeLate) {
+      pixel.inside =
+          Lanes::select(Lanes::maskOf(done.wrong), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
+      Lanes::store(state_, pixel.inside);
+      done.taken &= ~done.wrong;
+      if (done.taken == 0) return done;
+    }
+    const Mask mask = Lanes::maskOf(done.taken);
+    const typename A::KBuffer before = kbuffer;
+    const typename A::PixelState pixelBefore = pixel;
+    typename A::Fragment front;
+    A::insertFragment(kbuffer, incoming, front);
+    done.segment = A::leave(pixel, front, kbuffer.entry[0]);
+    storePixel({Lanes::select(mask, pixel.inside, pixelBefore.inside),
+                Lanes::select(mask, pixel.started, pixelBefore.started)});
+    for (int i = 0; i < K; ++i)
+      Stored::store(entryAt(i), A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
+    return done;
+  }
+
+  /// What is left leaves in order.
+  template <class Take>
+  void finish(const Take& take) {
+    const typename A::KBuffer kbuffer = entries();
+    typename A::PixelState pixel = loadPixel();
+    for (int i = 0; i + 1 < K; ++i) take(A::leave(pixel, kbuffer.entry[i], kbuffer.entry[i + 1]));
+  }
+
+ private:
+  using Real = typename Lanes::Real;
+  using Mask = typename Lanes::Mask;
+
+  float* entryAt(int i) const { return state_ + (2 + i * Stored::kNumbers) * kStampPixels; }
+  typename A::KBuffer entries() const {
+    typename A::KBuffer kbuffer;
+    for (int i = 0; i < K; ++i) kbuffer.entry[i] = Stored::load(entryAt(i));
+    return kbuffer;
+  }
+  typename A::PixelState loadPixel() const {
+    typename A::PixelState pixel;
+    pixel.inside = Lanes::load(state_);
+    pixel.started = Lanes::load(state_ + kStampPixels);
+    return pixel;
+  }
+  void storePixel(const typename A::PixelState& pixel) {
+    Lanes::store(state_, pixel.inside);
+    Lanes::store(state_ + kStampPixels, pixel.started);
+  }
+
+  float* state_;
+};
+
+/// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, and its pixel
+/// flagged; in all others every k gives the same segments, to the last bit.
+template <class Lanes, int kAttributes>
+class LastOfPixels {
+ public:
+  using A = Arithmetic<Lanes, 1, PayloadFor<kAttributes, Lanes>::template Type>;
+  using Stored = StoredFragment<A, Lanes, kAttributes>;
+  static constexpr bool kFlagsWrong = true;
+  static constexpr int kNumbers = Stored::kNumbers;
+
+  explicit LastOfPixels(float* state) : state_(state) {}
+
+  void begin() { Stored::store(state_, A::emptyFragment()); }
+
+  Inserted<typename A::Segment> insert(typename A::Fragment incoming, unsigned bits, bool) {
+    // Kept with a fragment is not its kind but the inside-count behind it, which leave() then gives back.
+    const typename A::Fragment last = Stored::load(state_);
+    Inserted<typename A::Segment> done;
+    done.wrong = bits & Lanes::bitsOf(incoming.distance < last.distance);
+    done.taken = bits & ~done.wrong;
+    incoming.payload.kind = last.payload.kind + incoming.payload.kind;
+    typename A::PixelState outside{Real(0.0f), Real(0.0f)};
+    done.segment = A::leave(outside, last, incoming);
+    Stored::store(state_, A::selectFragment(Lanes::maskOf(done.taken), incoming, last));
+    return done;
+  }
+
+  template <class Take>
+  void finish(const Take&) {}
+
+ private:
+  using Real = typename Lanes::Real;
+  float* state_;
+};
+
+template <class Lanes, class Pixels, int kAttributes>
+class TileDrawer {
+  using A = typename Pixels::A;
   using Real = typename Lanes::Real;
   using Mask = typename Lanes::Mask;
   using Batch = FaceBatch<kAttributes>;
   static constexpr int kLanes = static_cast<int>(Lanes::kLanes);
   static constexpr int kGroups = kStampPixels / kLanes;  ///< a stamp is drawn in so many groups of lanes
   static constexpr unsigned kGroupBits = kAllLanes >> (kStampPixels - kLanes);
-  static constexpr int kStateNumbers = 2 + K * (2 + kAttributes);
 
   /// A group of a stamp with pixels that the face covers, or may cover.
   struct Touched {
@@ -68,7 +211,8 @@ class TileDrawer {
 
  private:
   /// Faces and their corners lie anywhere in memory: faces are fetched two batches ahead, corners one.
-  void fetchAhead(std::size_t i) const {
+  /// Inlined early: g++ takes a function that only prefetches to do nothing, and leaves the call out.
+  [[gnu::always_inline]] void fetchAhead(std::size_t i) const {
     for (std::size_t f = i + 2 * kBatch; f < std::min(i + 3 * kBatch, tile_.faceCount); ++f)
       __builtin_prefetch(tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit]);
     for (std::size_t f = i + kBatch; f < std::min(i + 2 * kBatch, tile_.faceCount); ++f)
@@ -76,59 +220,15 @@ class TileDrawer {
         __builtin_prefetch(tile_.mesh.points + corner);
   }
 
-  float* stateOf(int stamp) const {
-    return tile_.state + static_cast<std::size_t>(stamp) * kStateNumbers * kStampPixels;
+  Pixels pixelsOf(int stamp, int group) const {
+    return Pixels(tile_.state + static_cast<std::size_t>(stamp) * Pixels::kNumbers * kStampPixels + group * kLanes);
   }
   int stamps() const { return tile_.stampsAcross * tile_.stampsDown; }
 
-  // ------------------------------------------------------------------------------------------ the pixel's state
-  static typename A::Fragment loadEntry(const float* at) {
-    typename A::Fragment f;
-    f.distance = Lanes::load(at);
-    f.payload.kind = Lanes::load(at + kStampPixels);
-    if constexpr (kAttributes == 1) {
-      f.payload.scalar = Lanes::load(at + 2 * kStampPixels);
-    } else {
-      for (int i = 0; i < kAttributes; ++i) f.payload.color[i] = Lanes::load(at + (2 + i) * kStampPixels);
-    }
-    return f;
-  }
-  static void storeEntry(float* at, const typename A::Fragment& f) {
-    Lanes::store(at, f.distance);
-    Lanes::store(at + kStampPixels, f.payload.kind);
-    if constexpr (kAttributes == 1) {
-      Lanes::store(at + 2 * kStampPixels, f.payload.scalar);
-    } else {
-      for (int i = 0; i < kAttributes; ++i) Lanes::store(at + (2 + i) * kStampPixels, f.payload.color[i]);
-    }
-  }
-  static constexpr int kEntryNumbers = (2 + kAttributes) * kStampPixels;
-  static constexpr int kFirstEntry = 2 * kStampPixels;
-  static typename A::KBuffer loadEntries(const float* state) {
-    typename A::KBuffer kbuffer;
-    for (int i = 0; i < K; ++i) kbuffer.entry[i] = loadEntry(state + kFirstEntry + i * kEntryNumbers);
-    return kbuffer;
-  }
-  static typename A::PixelState loadPixel(const float* state) {
-    typename A::PixelState pixel;
-    pixel.inside = Lanes::load(state);
-    pixel.started = Lanes::load(state + kStampPixels);
-    return pixel;
-  }
-  static void storePixel(float* state, const typename A::PixelState& pixel) {
-    Lanes::store(state, pixel.inside);
-    Lanes::store(state + kStampPixels, pixel.started);
-  }
-
   void begin() {
-    const typename A::Fragment empty = A::emptyFragment();
     for (int stamp = 0; stamp < stamps(); ++stamp) {
       if (tile_.active[stamp] == 0) continue;
-      for (int group = 0; group < kGroups; ++group) {
-        float* state = stateOf(stamp) + group * kLanes;
-        storePixel(state, {Real(0.0f), Real(0.0f)});
-        for (int i = 0; i < K; ++i) storeEntry(state + kFirstEntry + i * kEntryNumbers, empty);
-      }
+      for (int group = 0; group < kGroups; ++group) pixelsOf(stamp, group).begin();
     }
   }
 
@@ -158,38 +258,15 @@ class TileDrawer {
 
   /// One fragment in each of the pixels of `bits`, a group of lanes of a stamp.
   void insert(int stamp, int group, unsigned bits, const typename A::Fragment& incoming) {
-    float* state = stateOf(stamp) + group * kLanes;
-    typename A::KBuffer kbuffer = loadEntries(state);
-    typename A::PixelState pixel = loadPixel(state);
-    if constexpr (kSpeculative) {
-      const unsigned wrong = bits & Lanes::bitsOf(A::isLateBy(kbuffer, pixel, incoming, Real(0.0f)));
-      if (wrong != 0) {
-        giveUp(stamp, wrong << (group * kLanes));
-        bits &= ~wrong;
-      }
-    } else {
-      const unsigned late = bits & Lanes::bitsOf(A::isLate(kbuffer, pixel, incoming));
-      if (late != 0) {
-        countLate(stamp, group, late);
-        if (!tile_.compositeLate) {
-          pixel.inside = Lanes::select(Lanes::maskOf(late), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
-          Lanes::store(state, pixel.inside);
-          bits &= ~late;
-        }
+    const auto done = pixelsOf(stamp, group).insert(incoming, bits, tile_.compositeLate);
+    if (done.wrong != 0) {
+      if constexpr (Pixels::kFlagsWrong) {
+        giveUp(stamp, done.wrong << (group * kLanes));
+      } else {
+        countLate(stamp, group, done.wrong);
       }
     }
-    if (bits == 0) return;
-    const Mask mask = Lanes::maskOf(bits);
-    const typename A::KBuffer before = kbuffer;
-    const typename A::PixelState pixelBefore = pixel;
-    typename A::Fragment front;
-    A::insertFragment(kbuffer, incoming, front);
-    const typename A::Segment segment = A::leave(pixel, front, kbuffer.entry[0]);
-    storePixel(state, {Lanes::select(mask, pixel.inside, pixelBefore.inside),
-                       Lanes::select(mask, pixel.started, pixelBefore.started)});
-    for (int i = 0; i < K; ++i)
-      storeEntry(state + kFirstEntry + i * kEntryNumbers, A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
-    takeSegment(segment, bits, stamp * kStampPixels + group * kLanes);
+    if (done.taken != 0) takeSegment(done.segment, done.taken, stamp * kStampPixels + group * kLanes);
   }
 
   void giveUp(int stamp, unsigned bits) {
@@ -212,12 +289,9 @@ class TileDrawer {
       for (int group = 0; group < kGroups; ++group) {
         const unsigned bits = groupBits(tile_.active[stamp], group);
         if (bits == 0) continue;
-        const float* state = stateOf(stamp) + group * kLanes;
-        typename A::KBuffer kbuffer = loadEntries(state);
-        typename A::PixelState pixel = loadPixel(state);
-        for (int i = 0; i + 1 < K; ++i)
-          takeSegment(A::leave(pixel, kbuffer.entry[i], kbuffer.entry[i + 1]), bits,
-                      stamp * kStampPixels + group * kLanes);
+        pixelsOf(stamp, group).finish([&](const typename A::Segment& segment) {
+          takeSegment(segment, bits, stamp * kStampPixels + group * kLanes);
+        });
       }
     tile_.flush(tile_);
   }
@@ -431,9 +505,9 @@ class TileDrawer {
   Touched touched_[kMostListed + kLargestTileStamps * kGroups + 1];
 };
 
-template <class Lanes, int K, int kAttributes, bool kSpeculative>
+template <class Lanes, class Pixels, int kAttributes>
 void drawTileKernel(TileDraw& tile) {
-  TileDrawer<Lanes, K, kAttributes, kSpeculative>(tile).draw();
+  TileDrawer<Lanes, Pixels, kAttributes>(tile).draw();
 }
 
 }  // namespace

@@ -23,22 +23,29 @@ void endPixel(TileDraw& tile, std::size_t pixel) {
   --tile.activePixels;
 }
 
+/// compositeUnder of shaders/core/compositing.glsl, the four channels at once.
+using Four [[gnu::vector_size(16)]] = float;
+
+Four compositeUnder(Four front, Four back) { return front + (1.0f - front[3]) * back; }
+
 void flushQueue(TileDraw& tile) {
-  using A = Arithmetic<FloatLane>;
   SegmentQueue& queue = *tile.queue;
   if (queue.count == 0) return;
   static_cast<const SegmentShader*>(tile.shader)->shade(queue);
-  for (std::size_t i = 0; i < queue.count; ++i) {
-    const auto pixel = static_cast<std::size_t>(queue.pixel[i]);
-    float* at = tile.rgba + 4 * pixel;
-    if (at[3] >= tile.terminalOpacity) continue;
-    const float* c = &queue.rgba[4 * i];
-    const A::Rgba sum = A::compositeUnder({at[0], at[1], at[2], at[3]}, {c[0], c[1], c[2], c[3]});
-    at[0] = sum.r;
-    at[1] = sum.g;
-    at[2] = sum.b;
-    at[3] = sum.a;
-    if (sum.a >= tile.terminalOpacity) endPixel(tile, pixel);
+  Four* const rgba = reinterpret_cast<Four*>(tile.rgba);
+  const Four* const color = reinterpret_cast<const Four*>(queue.rgba.data());
+  if (tile.terminalOpacity > 1) {
+    for (std::size_t i = 0; i < queue.count; ++i) {
+      Four& sum = rgba[queue.pixel[i]];
+      sum = compositeUnder(sum, color[i]);
+    }
+  } else {
+    for (std::size_t i = 0; i < queue.count; ++i) {
+      Four& sum = rgba[queue.pixel[i]];
+      if (sum[3] >= tile.terminalOpacity) continue;
+      sum = compositeUnder(sum, color[i]);
+      if (sum[3] >= tile.terminalOpacity) endPixel(tile, static_cast<std::size_t>(queue.pixel[i]));
+    }
   }
   queue.count = 0;
 }
@@ -110,9 +117,9 @@ void TileWorker::draw(std::size_t tile, std::span<const std::uint32_t> faces, Dr
   if (faces.empty()) return;
   place(tile);
   tile_.fragments = 0;
-  run(setting_.speculative != nullptr ? setting_.speculative : setting_.kernel, faces);
+  run(setting_.ordered != nullptr ? setting_.ordered : setting_.kernel, faces);
   fragments_ += tile_.fragments;
-  if (setting_.speculative != nullptr) redraw(faces);
+  if (setting_.ordered != nullptr) redraw(faces);
   write(drawing);
 }
 
