@@ -47,9 +47,8 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["k"] = method.maximumK > 0 ? Json(report.k) : Json();
   json["k_auto"] = wantsKSearch(scene);
   json["sort"] = method.needsOrder ? Json(scene.sort) : Json();
-  json["lookup"] = scene.lookup;
-  const int tableSize = tableSizeOf(scene);
-  json["table"] = tableSize > 0 ? Json(tableSize) : Json();
+  json["lookup"] = report.reference ? Json() : Json(report.lookup);
+  json["table"] = report.tableSize > 0 ? Json(report.tableSize) : Json();
   json["table_format"] = scene.tableFormat;
   json["target_format"] = scene.targetFormat;
   json["early_termination"] = scene.earlyTermination;
@@ -125,8 +124,9 @@ std::string describeTransfer(const RenderReport& report) {
 
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
-  const LookupResource* made = tableOf(lookup(scene.lookup));
-  const std::string table = made ? fmt::format(" ({}^{}, {})", tableSizeOf(scene), made->axes, scene.tableFormat) : "";
+  const LookupResource* made = tableOf(lookup(report.lookup));
+  const std::string table =
+      made ? fmt::format(" ({}^{}, {})", report.tableSize, made->axes, scene.tableFormat) : "";
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   const std::string k =
       method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";
@@ -134,7 +134,7 @@ std::string describeMethod(const Scene& scene, const RenderReport& report) {
   const std::string sort = method.needsOrder ? fmt::format(", {} order", scene.sort) : "";
   const std::string kept =
       report.fragments > 0 ? fmt::format(", {} fragments in {} tiles", report.fragments, report.tiles) : "";
-  return fmt::format("{}{}{}{}, lookup {}{}{}, on {} ({})", scene.visibility, k, sort, kept, scene.lookup, table,
+  return fmt::format("{}{}{}{}, lookup {}{}{}, on {} ({})", scene.visibility, k, sort, kept, report.lookup, table,
                      targets, scene.device, report.renderer);
 }
 

@@ -77,7 +77,8 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
                       const auto& rows) {
     add(command, kGroup, name, value, "NAME", fmt::format("{} (default {}):{}", what, chosen, rowsForHelp(rows)));
   };
-  addTable("--device", options.device, "Where to draw", defaults.device, renderDevices());
+  addTable("--device", options.device, "Where to draw",
+           fmt::format("native; {} for what only OpenGL draws", defaults.device), renderDevices());
   add(command, kGroup, "--simd", options.instructionSet, "NAME",
       fmt::format("Instruction set of the native device (default: the widest of the processor):{}",
                   rowsForHelp(instructionSets())));
@@ -87,7 +88,10 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
       fmt::format("Entries of the k-buffer (default {}); auto: the fewest that bring every fragment into order",
                   defaults.k));
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
-  addTable("--lookup", options.lookup, "How a segment's colour is found", defaults.lookup, lookups());
+  addTable("--lookup", options.lookup, "How a segment's colour is found",
+           fmt::format("auto: exact where the transfer function has few knots and no table is asked for, else {}",
+                       defaults.lookup),
+           lookups());
   add(command, kGroup, "--table", options.tableSize, "N",
       "Size of the table: entries along each axis, unless the lookup says otherwise (default: " + ownTableSizes() +
           ")");
@@ -157,15 +161,28 @@ void setK(Scene& scene, const std::string& text) {
     failInput(fmt::format("'{}' is no number of entries", text), "--k", "write a number, or auto");
 }
 
+/// Whether the native device, the fastest where there is no GPU, draws with the scene's settings.
+bool nativeDraws(const Scene& scene) {
+  return visibilityMethod(scene.visibility).native.make != nullptr && scene.targetFormat == Scene{}.targetFormat;
+}
+
 void setMethod(Scene& scene, const SceneOptions& options) {
   if (options.visibility) scene.visibility = *options.visibility;
   if (options.sort) scene.sort = known("--sort", *options.sort, namesOf(sortMethods()));
-  if (options.lookup) scene.lookup = *options.lookup;
-  if (options.device) scene.device = known("--device", *options.device, namesOf(renderDevices()));
+  if (options.lookup) {
+    scene.lookup = *options.lookup;
+  } else if (!options.paper && !options.tableSize && !options.tableFormat) {
+    scene.lookup = kAutoLookup;
+  }
   if (options.instructionSet)
     scene.instructionSet = known("--simd", *options.instructionSet, namesOf(instructionSets()));
   if (options.tableFormat) scene.tableFormat = *options.tableFormat;
   if (options.targetFormat) scene.targetFormat = *options.targetFormat;
+  if (options.device) {
+    scene.device = known("--device", *options.device, namesOf(renderDevices()));
+  } else if (nativeDraws(scene)) {
+    scene.device = kNativeDevice;
+  }
   if (options.k) setK(scene, *options.k);
   if (options.tableSize) scene.tableSize = *options.tableSize;
   if (options.earlyTermination) scene.earlyTermination = *options.earlyTermination;

@@ -8,6 +8,8 @@
 #include "app/scene_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
+#include "render/devices.h"
+#include "render/lookups.h"
 #include "study/page.h"
 #include "study/study.h"
 
@@ -47,6 +49,10 @@ void replaceSceneOptions(CLI::App& command, StudyOptions& options) {
       ->take_all()
       ->expected(1)
       ->group("Camera and picture");
+  command.get_option("--device")->description(
+      fmt::format("Where to draw (default {}):{}", Scene{}.device, rowsForHelp(renderDevices())));
+  command.get_option("--lookup")->description(
+      fmt::format("How a segment's colour is found (default {}):{}", Scene{}.lookup, rowsForHelp(lookups())));
   command.get_option("--size")->description(fmt::format("Pixels (default {}; with --quick {})", kSize, kQuickSize));
 }
 
@@ -81,6 +87,8 @@ Number counted(int value, int least, const char* option) {
 
 std::vector<Scene> scenesOf(StudyOptions options) {
   if (!options.scene.size) options.scene.size = options.quick ? kQuickSize : kSize;
+  if (!options.scene.device) options.scene.device = Scene{}.device;
+  if (!options.scene.lookup && !options.scene.paper) options.scene.lookup = Scene{}.lookup;
   std::vector<Scene> scenes;
   for (const std::string& mesh : options.meshes) {
     options.scene.mesh = mesh;

@@ -34,7 +34,7 @@ std::span<const RenderDeviceRow> renderDevices() {
   static const std::vector<RenderDeviceRow> rows = [] {
     std::vector<RenderDeviceRow> all;
     for (const DeviceRow& row : deviceRows()) all.push_back({row.name, row.description, openContext});
-    all.push_back({"native", "SIMD lanes on all cores, without OpenGL", openNative});
+    all.push_back({kNativeDevice, "SIMD lanes on all cores, without OpenGL", openNative});
     return all;
   }();
   return rows;

@@ -25,6 +25,8 @@ struct RenderDeviceRow {
   /// Throws Error{running} when it cannot be had here.
   RenderDevice (*open)(const RenderDeviceRow& row, std::size_t threads);
 };
+inline constexpr const char* kNativeDevice = "native";
+
 /// The rows of deviceRows() (gl/device.h), then native.
 std::span<const RenderDeviceRow> renderDevices();
 

@@ -23,7 +23,7 @@ Scene sceneForSearch(const Scene& scene) {
   Scene search = scene;
   search.certificate = true;
   search.kAuto = false;
-  if (scene.earlyTermination == 0 && lookup(scene.lookup).carries == Payload::scalar) search.lookup = "post";
+  if (scene.earlyTermination == 0 && lookupOf(scene).carries == Payload::scalar) search.lookup = "post";
   return search;
 }
 

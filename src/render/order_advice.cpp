@@ -10,7 +10,7 @@ namespace {
 /// Whether there is a method of this name, another than the scene's, that takes the scene's lookup.
 bool canSwitchTo(const std::string& visibility, const Scene& scene) {
   const auto rows = visibilityMethods();
-  const bool colors = lookup(scene.lookup).carries == Payload::color;
+  const bool colors = lookupOf(scene).carries == Payload::color;
   return scene.visibility != visibility && std::any_of(rows.begin(), rows.end(), [&](const VisibilityMethod& row) {
            return row.name == visibility && (row.carriesColors || !colors);
          });

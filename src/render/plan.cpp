@@ -14,6 +14,9 @@ constexpr double kMostTileBytes = 1024.0 * 1024 * 1024;  // of all targets of a 
 constexpr double kMostPixels = 1 << 30;                  // 16 GiB of float picture
 constexpr int kLargestSide = 1 << 17;
 constexpr int kSmallestTable = 2;
+/// Most knots in a cell, on the mean, that `exact` is chosen for: measured (docs/07-performance.md, The lookup by
+/// default).
+constexpr double kFewKnots = 2;
 
 /// Adds a resource, and its table's size and format where it has one.
 void addResource(RenderPlan& result, const std::string& name, const Scene& scene, const Capabilities& capabilities) {
@@ -33,7 +36,7 @@ void addResource(RenderPlan& result, const std::string& name, const Scene& scene
 }
 
 void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
-  result.lookup = lookup(scene.lookup);
+  result.lookup = lookupOf(scene);
   if (result.lookup.number > 0) result.defines.push_back({"HAVS_LOOKUP_NUMBER", std::to_string(result.lookup.number)});
   if (facts.cellData) result.defines.push_back({"HAVS_CELL_DATA", "1"});
   if (result.lookup.carries == Payload::color) {
@@ -102,15 +105,19 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
+std::string lookupFor(double knotsInCells) { return knotsInCells <= kFewKnots ? "exact" : "3d-normalised"; }
+
+Lookup lookupOf(const Scene& scene) { return lookup(scene.lookup == kAutoLookup ? lookupFor(0) : scene.lookup); }
+
 int tableSizeOf(const Scene& scene) {
-  const LookupResource* table = tableOf(lookup(scene.lookup));
+  const LookupResource* table = tableOf(lookupOf(scene));
   return table == nullptr ? 0 : scene.tableSize.value_or(table->ownSize);
 }
 
 int entriesPerTarget(const Lookup& lookup) { return lookup.carries == Payload::color ? 1 : 2; }
 
 int largestK(const Scene& scene, const Capabilities& capabilities) {
-  const int perTarget = entriesPerTarget(lookup(scene.lookup));
+  const int perTarget = entriesPerTarget(lookupOf(scene));
   const int mostTargets = (visibilityMethod(scene.visibility).maximumK + 1) / 2;  // at two entries each
   return perTarget * std::min(mostTargets, capabilities.maximumDrawBuffers - 1);
 }
@@ -127,7 +134,7 @@ void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabi
 
 void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  const Lookup row = lookup(scene.lookup);
+  const Lookup row = lookupOf(scene);
   refuseWhatTheMethodLacks(scene, method, row);
   if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
   sortMethod(scene.sort);
@@ -150,8 +157,10 @@ void checkScene(const Scene& scene) {
     failInput("the domain must be two finite numbers, the smaller first", "", "for example 0,1");
 }
 
-RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
-  checkScene(scene);
+RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities& capabilities) {
+  checkScene(asked);
+  Scene scene = asked;
+  if (scene.lookup == kAutoLookup) scene.lookup = lookupFor(facts.knotsInCells);
   RenderPlan result;
   result.visibility = visibilityMethod(scene.visibility);
   const DrawingWay& way = wayOf(result.visibility, capabilities);

@@ -63,6 +63,12 @@ RenderPlan plan(const Scene& scene, const SceneFacts& facts, const Capabilities&
 /// The part of plan's checks that needs neither mesh nor machine: names and ranges. Throws Error{input}.
 void checkScene(const Scene& scene);
 
+/// What Scene::lookup `auto` stands for: `exact`, which needs no table and is right to float's rounding, where segments
+/// cross few knots (SceneFacts::knotsInCells); else `3d-normalised`, whose time does not depend on them.
+std::string lookupFor(double knotsInCells);
+/// The row of the scene's lookup; of `auto` one that carries the same.
+Lookup lookupOf(const Scene& scene);
+
 /// Entries along each axis of the table of the scene's lookup: those asked for, else the lookup's own
 /// (LookupResource::ownSize); 0 for a lookup without a table. Throws Error{input} for an unknown lookup.
 int tableSizeOf(const Scene& scene);

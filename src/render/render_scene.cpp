@@ -37,6 +37,8 @@ void describePrepared(const PreparedScene& prepared, RenderReport& report) {
 }
 
 void describePlan(const RenderPlan& chosen, RenderReport& report) {
+  report.lookup = chosen.lookup.name;
+  report.tableSize = chosen.tableSize;
   report.k = chosen.k;
   report.ordering = chosen.ordering;
   report.bytesPerPixel = static_cast<std::size_t>(chosen.bytesPerPixel);

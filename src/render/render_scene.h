@@ -33,6 +33,8 @@ struct RenderReport {
   std::size_t bytesPerPixel = 0;  ///< of the render targets
   std::size_t targetBytes = 0;    ///< all targets together
   std::size_t tiles = 1;
+  std::string lookup;             ///< used: the scene's, or what `auto` stood for
+  int tableSize = 0;              ///< of its table; 0: it has none
   int k = 0;                      ///< used: the scene's, or the one that the search chose
   std::size_t fragments = 0;      ///< of the picture, where the method keeps them all (a-buffer)
   std::size_t fragmentBytes = 0;  ///< of memory that these took at once

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "mesh/read.h"
 #include "mesh/spatial_order.h"
+#include "scene/knots_in_cells.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
@@ -140,6 +141,7 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
     prepareCurve(prepared, scene);
     prepared.scalars = normalisedScalars(prepared.field, prepared.curve);
     prepared.field.values = {};
+    prepared.knotsInCells = meanKnotsInCells(prepared);
   });
   return prepared;
 }

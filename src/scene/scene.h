@@ -8,6 +8,9 @@
 
 namespace havs {
 
+/// The lookup that suits the transfer function (lookupFor in render/plan.h).
+inline constexpr const char* kAutoLookup = "auto";
+
 /// What is asked for. Names refer to the tables: renderDevices() (render/devices.h), visibilityMethods()
 /// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h), instructionSets() (render/native/instruction_sets.h),
 /// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
@@ -28,7 +31,7 @@ struct Scene {
   std::string sort = "topological";
   int k = 6;
   bool kAuto = false;  ///< the smallest k without a misordered fragment instead of `k` (render/k_search.h)
-  std::string lookup = "3d-normalised";
+  std::string lookup = "3d-normalised";  ///< or kAutoLookup
   std::optional<int> tableSize;         ///< of the lookup's table; empty: its own (tableSizeOf in render/plan.h)
   std::string tableFormat = "rgba32f";  ///< or rgba8
   std::string targetFormat = "32f";     ///< numbers of the k-buffer's render targets; or 16f
@@ -44,6 +47,7 @@ struct Scene {
 struct SceneFacts {
   bool cellData = false;        ///< the scalar belongs to the cells
   bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
+  double knotsInCells = 0;      ///< meanKnotsInCells (scene/knots_in_cells.h)
 };
 
 /// The paper's own choices (`--paper`): centroid, k 6, `3d` with an RGBA8 128^3 table, termination at 0.99, late

@@ -88,7 +88,7 @@ nlohmann::ordered_json measure(const Options& options) {
   json["threads"] = threadCount();
   json["tetrahedra"] = prepared.mesh.tetrahedra.size();
   json["faces"] = prepared.faces.size();
-  json["lookup"] = scene.lookup;
+  json["lookup"] = chosen.lookup.name;
   json["k"] = chosen.k;
   json["still"] = asJson(still);
   json["turning"] = asJson(turning);

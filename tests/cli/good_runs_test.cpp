@@ -55,23 +55,51 @@ TEST_F(Render, LookupsTakeTheirNumberAndKeepTheirName) {
   }
 }
 
+/// With nothing but these options.
+nlohmann::json settingsWith(const TemporaryFolder& folder, std::vector<std::string> options) {
+  options.insert(options.begin(), {"render", "cube.node", "--size", "8x8", "--json"});
+  const Outcome run = runHavs(options, folder.path());
+  EXPECT_EQ(run.status, 0) << run.output;
+  return nlohmann::json::parse(run.output)["settings"];
+}
+
 /// The size that was used, asked for or not; none where there is no table.
 TEST_F(Render, JsonTellsTheTableOfEachLookup) {
-  const auto settingsOf = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"render", "cube.node", "--size", "8x8", "--json"});
-    const Outcome run = runHavs(options, folder.path());
-    EXPECT_EQ(run.status, 0) << run.output;
-    return nlohmann::json::parse(run.output)["settings"];
+  const auto tableWith = [&](const std::vector<std::string>& options) {
+    return settingsWith(folder, options)["table"];
   };
-  EXPECT_EQ(settingsOf({})["lookup"], "3d-normalised");
-  EXPECT_EQ(settingsOf({})["table"], 64);
-  EXPECT_EQ(settingsOf({"--lookup", "3d"})["table"], 128);
-  EXPECT_EQ(settingsOf({"--lookup", "2d"})["table"], 512);
-  EXPECT_EQ(settingsOf({"--lookup", "2d", "--table", "9"})["table"], 9);
-  EXPECT_EQ(settingsOf({"--lookup", "exact"})["table"], nullptr);
-  EXPECT_EQ(settingsOf({"--paper"})["lookup"], "3d");
-  EXPECT_EQ(settingsOf({"--paper"})["table"], 128);
-  EXPECT_EQ(settingsOf({"--paper", "--table", "16"})["table"], 16);
+  EXPECT_EQ(tableWith({"--lookup", "3d-normalised"}), 64);
+  EXPECT_EQ(tableWith({"--lookup", "3d"}), 128);
+  EXPECT_EQ(tableWith({"--lookup", "2d"}), 512);
+  EXPECT_EQ(tableWith({"--lookup", "2d", "--table", "9"}), 9);
+  EXPECT_EQ(tableWith({"--lookup", "exact"}), nullptr);
+  EXPECT_EQ(settingsWith(folder, {"--paper"})["lookup"], "3d");
+  EXPECT_EQ(tableWith({"--paper"}), 128);
+  EXPECT_EQ(tableWith({"--paper", "--table", "16"}), 16);
+}
+
+TEST_F(Render, LookupByDefaultSuitsTheTransferFunction) {
+  const auto lookupWith = [&](const std::vector<std::string>& options) {
+    return settingsWith(folder, options)["lookup"];
+  };
+  EXPECT_EQ(lookupWith({}), "3d-normalised");  // six cells that span the whole of viridis: dozens of knots each
+  folder.write("ramp.json", R"({"version": 1, "opacity": "extinction", "points": [
+    {"scalar": 0, "color": [0, 0, 1], "opacity": 0}, {"scalar": 1, "color": [1, 0, 0], "opacity": 0.5}]})");
+  EXPECT_EQ(lookupWith({"--tf", "ramp.json"}), "exact");
+  EXPECT_EQ(lookupWith({"--tf", "ramp.json", "--k", "auto"}), "exact");
+  EXPECT_EQ(lookupWith({"--tf", "ramp.json", "--table", "32"}), "3d-normalised");  // exact has none
+  EXPECT_EQ(lookupWith({"--tf", "ramp.json", "--table-format", "rgba8"}), "3d-normalised");
+}
+
+TEST_F(Render, DeviceByDefaultIsNativeWhereItDraws) {
+  const auto deviceWith = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all{"--json"};
+    all.insert(all.end(), options.begin(), options.end());
+    return nlohmann::json::parse(render(all))["device"]["name"];
+  };
+  EXPECT_EQ(deviceWith({}), "native");
+  EXPECT_EQ(deviceWith({"--visibility", "abuffer"}), "osmesa");
+  EXPECT_EQ(deviceWith({"--target-format", "16f"}), "osmesa");
 }
 
 TEST_F(Render, JsonTellsWhatWasDrawn) {
@@ -89,7 +117,7 @@ TEST_F(Render, JsonTellsWhatWasDrawn) {
   EXPECT_EQ(json["settings"]["size"], (nlohmann::json{48, 32}));
   EXPECT_EQ(json["settings"]["transfer_function"]["unit_length"], 0.5);
   EXPECT_EQ(json["settings"]["transfer_function"]["domain"], (nlohmann::json{0.0, 3.0}));
-  EXPECT_EQ(json["device"]["name"], "osmesa");
+  EXPECT_EQ(json["device"]["name"], "native");
   EXPECT_EQ(json["outputs"], (nlohmann::json{"a.png"}));
   EXPECT_GT(json["stages_ms"]["total"], 0);
   EXPECT_GE(json["stages_ms"]["total"], json["frame_ms"]);
