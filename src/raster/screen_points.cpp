@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "raster/exact_sum.h"
 
 namespace havs {
 namespace {
@@ -43,17 +44,32 @@ std::array<int, 2> pixelsIn(const Interval& interval, int size) {
 
 }  // namespace
 
+ScreenPoint screenPoint(const Vec3& localPoint, const View& view) {
+  const Vec3 q = localPoint - view.center;
+  const double w = view.orthographic ? 1.0 : dot(view.forward, q);
+  const double u = dot(view.right, q) / view.halfWidth;
+  const double v = dot(view.up, q) / view.halfHeight;
+  return {flushed(0.5 * (w + u) * view.width), flushed(0.5 * (w - v) * view.height), flushed(w),
+          view.depth(localPoint)};
+}
+
 std::vector<ScreenPoint> screenPoints(std::span<const Vec3> localPoints, const View& view) {
   std::vector<ScreenPoint> points(localPoints.size());
-  parallelFor(0, points.size(), 8192, [&](std::size_t i) {
-    const Vec3 q = localPoints[i] - view.center;
-    const double w = view.orthographic ? 1.0 : dot(view.forward, q);
-    const double u = dot(view.right, q) / view.halfWidth;
-    const double v = dot(view.up, q) / view.halfHeight;
-    points[i] = {flushed(0.5 * (w + u) * view.width), flushed(0.5 * (w - v) * view.height), flushed(w),
-                 view.depth(localPoints[i])};
-  });
+  parallelFor(0, points.size(), 8192, [&](std::size_t i) { points[i] = screenPoint(localPoints[i], view); });
   return points;
+}
+
+int sideOfEye(const Vec3& a, const Vec3& b, const Vec3& c, const View& view) {
+  const ScreenPoint p = screenPoint(a, view), q = screenPoint(b, view), r = screenPoint(c, view);
+  ExactSum<24> determinant;  // six products of three, four parts each
+  determinant.addProduct(p.x, q.y, r.w);
+  determinant.addProduct(-p.x, q.w, r.y);
+  determinant.addProduct(p.y, q.w, r.x);
+  determinant.addProduct(-p.y, q.x, r.w);
+  determinant.addProduct(p.w, q.x, r.y);
+  determinant.addProduct(-p.w, q.y, r.x);
+  const double value = determinant.value();
+  return value > 0 ? -1 : value < 0 ? 1 : 0;
 }
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b) {

@@ -20,6 +20,14 @@ struct ScreenPoint {
 /// All points, in parallel. Each is rounded once; the fill rule (edge_function.h) is exact for what comes out here.
 std::vector<ScreenPoint> screenPoints(std::span<const Vec3> localPoints, const View& view);
 
+/// The same of one.
+ScreenPoint screenPoint(const Vec3& localPoint, const View& view);
+
+/// On which side of the plane of the points a, b, c the eye lies, as screenPoint has them: 1 where they turn
+/// right-handed towards it, -1 where away from it, 0 where they lie on one line of the picture. Exact for what
+/// screenPoint gives, so that it is the side that the fill rule's pixels see.
+int sideOfEye(const Vec3& a, const Vec3& b, const Vec3& c, const View& view);
+
 /// A rectangle of pixels, both ends included; empty where right < left or bottom < top.
 struct PixelBox {
   int left, top, right, bottom;

@@ -16,7 +16,14 @@ struct ViewPoint {
   bool orthographic = false;
   Vec3 eye{0};        ///< perspective: where the rays start
   Vec3 direction{0};  ///< unit vector along the view, away from the eye (orthographic: of every ray)
-  bool operator==(const ViewPoint&) const = default;
+  /// For faces whose plane goes through the eye to within rounding: on which side of it the picture, whose points are
+  /// rounded in their own way, sees the eye. 1: the corners a, b, c turn right-handed towards it; -1; 0: on the plane.
+  /// Empty: such faces count as seen edge on.
+  std::function<int(const Vec3& a, const Vec3& b, const Vec3& c)> sideInPicture{};
+  /// Of the place and direction.
+  bool operator==(const ViewPoint& other) const {
+    return orthographic == other.orthographic && eye == other.eye && direction == other.direction;
+  }
 };
 
 /// Faces, near first.

@@ -43,8 +43,7 @@ EyeHeight eyeHeight(const Vec3& a, const Vec3& b, const Vec3& c, const ViewPoint
   return {dot(cross(ab, ac), toEye), kRounding * kRounding * (dot(ab, ab) * dot(ac, ac) * dot(toEye, toEye)), toEye};
 }
 
-/// Outside: a ray through the face passes from cells[1] to cells[0]. Edge-on also where rounding hides the sign: no
-/// pixel can tell the difference.
+/// Outside: a ray through the face passes from cells[1] to cells[0]. Edge-on also where rounding hides the sign.
 Side eyeSide(const EyeHeight& plane) {
   if (plane.height * plane.height <= plane.boundSquared) return Side::edgeOn;
   return plane.height > 0 ? Side::outside : Side::inside;
@@ -53,8 +52,18 @@ Side eyeSide(const EyeHeight& plane) {
 /// The heights of the eye over the planes of a cell's faces, all at once, positive outside of the cell.
 struct CellHeights {
   std::array<double, 4> height;
-  double doubt;  ///< what is greater has the sign that eyeSide finds for the face
+  double doubt;  ///< what is greater has the sign that sideOf finds for the face
 };
+
+/// What the points of a picture may be off by, in their own place: a few roundings of their distance from the eye.
+constexpr double kPictureRounding = 128 * std::numeric_limits<double>::epsilon();
+
+double sizeOf(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// Distance that a picture's rounding is relative to: of a point from the eye, or from the mesh's centre.
+double reachOf(const Vec3& point, const Vec3& toEye, const ViewPoint& view) {
+  return view.orthographic ? sizeOf(point) + 1 : sizeOf(toEye);
+}
 
 CellHeights cellHeights(std::span<const Vec3> points, const Tetrahedron& cell, const ViewPoint& view) {
   const Vec3& origin = points[cell[0]];
@@ -64,11 +73,10 @@ CellHeights cellHeights(std::span<const Vec3> points, const Tetrahedron& cell, c
   const double volume = view.orthographic ? 0 : dot(ab, c);
   CellHeights result{{0, -dot(bc, toEye), -dot(ca, toEye), -dot(ab, toEye)}, 0};
   result.height[0] = -(result.height[1] + result.height[2] + result.height[3]) - volume;
-  const auto size = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-  const double edges = size(a) + size(b) + size(c);
-  // Twice the bound of eyeHeight is at most 16 of these, the rounding of the sums above at most 40.
-  constexpr double kRounding = 128 * std::numeric_limits<double>::epsilon();
-  result.doubt = kRounding * edges * edges * (edges + size(toEye));
+  const double edges = sizeOf(a) + sizeOf(b) + sizeOf(c), reach = edges + reachOf(origin, toEye, view);
+  // More than twice the bound of eyeHeight and the rounding of the sums above, which have a factor `edges` for one of
+  // `reach`.
+  result.doubt = kPictureRounding * edges * reach * reach;
   return result;
 }
 
@@ -103,6 +111,7 @@ class TopologicalSorter final : public FaceSorter {
   };
 
   EyeHeight eyeHeightOf(Index face) const;
+  Side sideOf(Index face) const;
   bool findSides();
   bool findStarts();
   CellMarks marksOf(Index cell) const;
@@ -118,6 +127,7 @@ class TopologicalSorter final : public FaceSorter {
   std::vector<Index> cells_;               ///< in the order of the last view
   std::vector<FacePieces::Piece> pieces_;  ///< of cells_
   CellSearch search_;
+  mutable std::atomic<bool> picturesCount_ = false;  ///< a side was asked of the picture, which another may have otherwise
   bool isSearched_ = false;               ///< the search of these sides and starts came to its end
   std::vector<std::uint32_t> startKeys_;  ///< one a boundary face
   std::vector<KeyedIndex> leftFaces_;
@@ -141,9 +151,11 @@ TopologicalSorter::TopologicalSorter(const SortInput& input)
 void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
                                      const std::function<void(std::size_t)>& ready) {
   order.faces.resize(input_.faces->size());
-  if (!isSearched_ || view != view_) {
+  if (!isSearched_ || view != view_ || picturesCount_) {
     view_ = view;
+    picturesCount_ = false;
     const bool sidesChanged = findSides(), startsChanged = findStarts();
+    view_.sideInPicture = {};  // may not outlive this call
     isSearched_ = isSearched_ && !sidesChanged && !startsChanged;
   }
   FacePieces pieces(cells_.size() / kCellsOfPiece + 1, input_.faces->ofCell, marks_, cells_, order.faces, ready);
@@ -179,6 +191,18 @@ EyeHeight TopologicalSorter::eyeHeightOf(Index face) const {
   return eyeHeight(input_.points[a], input_.points[b], input_.points[c], view_);
 }
 
+Side TopologicalSorter::sideOf(Index face) const {
+  const auto& [a, b, c] = input_.faces->vertices[face];
+  const EyeHeight plane = eyeHeightOf(face);
+  if (!view_.sideInPicture) return eyeSide(plane);
+  const double edges = sizeOf(input_.points[b] - input_.points[a]) + sizeOf(input_.points[c] - input_.points[a]);
+  const double reach = edges + reachOf(input_.points[a], plane.toEye, view_);
+  if (std::abs(plane.height) > kPictureRounding * edges * reach * reach)
+    return plane.height > 0 ? Side::outside : Side::inside;
+  picturesCount_.store(true, std::memory_order_relaxed);
+  return static_cast<Side>(view_.sideInPicture(input_.points[a], input_.points[b], input_.points[c]));
+}
+
 /// Which faces rays enter each cell through. Whether any of that is other than in the last view.
 bool TopologicalSorter::findSides() {
   std::atomic<bool> changed = false;
@@ -202,7 +226,7 @@ CellMarks TopologicalSorter::marksOf(Index cell) const {
     inner |= (other != kNoIndex ? 1u : 0u) << i;
     entered |= (plane.height[i] > 0 ? 1u : 0u) << i;
     if (std::abs(plane.height[i]) > plane.doubt) continue;
-    const Side side = eyeSide(eyeHeightOf(input_.faces->ofCell[cell][i]));
+    const Side side = sideOf(input_.faces->ofCell[cell][i]);
     // The face is turned out of the cell with the lower number.
     const bool isEntered = side == (other > cell ? Side::outside : Side::inside);
     entered = (entered & ~(1u << i)) | ((isEntered ? 1u : 0u) << i);
@@ -221,7 +245,7 @@ bool TopologicalSorter::findStarts() {
   startKeys_.resize(boundary_.size());
   parallelFor(0, boundary_.size(), kGrain, [&](std::size_t i) {
     startKeys_[i] = kNoStart;
-    if (eyeSide(eyeHeightOf(boundary_[i].face)) != Side::inside) return;
+    if (sideOf(boundary_[i].face) != Side::inside) return;
     const auto& [a, b, c] = input_.faces->vertices[boundary_[i].face];
     const double farthest = std::max({key(input_.points[a]), key(input_.points[b]), key(input_.points[c])});
     const double middle = key((input_.points[a] + input_.points[b] + input_.points[c]) / 3.0);

@@ -28,7 +28,8 @@ TileGrid tileGrid(int width, int height, int side) {
   return {side, (width + side - 1) / side, (height + side - 1) / side};
 }
 
-void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, std::size_t faceCount, const TileGrid& grid) {
+void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, const Faces& faces,
+                         const TileGrid& grid) {
   grid_ = grid;
   pixels_.resize(pointCount);
   parallelFor(0, pointCount, kGrain, [&](std::size_t i) {
@@ -40,24 +41,26 @@ void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, std::si
     pixels_[i] = {left, top, right, bottom};
   });
 
-  boxes_.resize(faceCount);
+  boxes_.resize(faces.size());
   const float perSide = 1.0f / static_cast<float>(grid.side);
   const auto tileOf = [&](std::int32_t pixel) {
     return static_cast<std::uint16_t>((static_cast<float>(pixel) + 0.5f) * perSide);
   };
-  const TileBox none{1, 1, 0, 0};
-  const TileBox all{0, 0, static_cast<std::uint16_t>(grid.across - 1), static_cast<std::uint16_t>(grid.down - 1)};
-  parallelFor(0, faceCount, kGrain, [&](std::size_t f) {
+  const TileBox none{1, 1, 0, 0, 0};
+  const TileBox all{0, 0, static_cast<std::uint16_t>(grid.across - 1), static_cast<std::uint16_t>(grid.down - 1), 0};
+  parallelFor(0, faces.size(), kGrain, [&](std::size_t f) {
     const PixelBox &a = pixels_[mesh.faces[f][0]], &b = pixels_[mesh.faces[f][1]], &c = pixels_[mesh.faces[f][2]];
     const std::int32_t left = std::min({a.left, b.left, c.left});
+    TileBox& box = boxes_[f];
     if (left == kBehindEye) {
-      boxes_[f] = std::max({a.left, b.left, c.left}) == kBehindEye ? none : all;
-      return;
+      box = std::max({a.left, b.left, c.left}) == kBehindEye ? none : all;
+    } else {
+      const std::int32_t right = std::max({a.right, b.right, c.right});
+      const std::int32_t top = std::min({a.top, b.top, c.top}), bottom = std::max({a.bottom, b.bottom, c.bottom});
+      const bool empty = left > right || top > bottom;
+      box = empty ? none : TileBox{tileOf(left), tileOf(top), tileOf(right), tileOf(bottom), 0};
     }
-    const std::int32_t right = std::max({a.right, b.right, c.right});
-    const std::int32_t top = std::min({a.top, b.top, c.top}), bottom = std::max({a.bottom, b.bottom, c.bottom});
-    const bool empty = left > right || top > bottom;
-    boxes_[f] = empty ? none : TileBox{tileOf(left), tileOf(top), tileOf(right), tileOf(bottom)};
+    box.boundary = faces.isBoundary(static_cast<Index>(f)) ? 1 : 0;
   });
 }
 
@@ -73,9 +76,8 @@ inline void FaceBins::visitTiles(Index face, std::size_t firstTile, std::size_t 
   }
 }
 
-void FaceBins::count(std::span<const Index> order, const Faces& faces) {
+void FaceBins::count(std::span<const Index> order) {
   order_ = order;
-  faces_ = &faces;
   const std::size_t tiles = grid_.count();
   blocks_ = std::clamp<std::size_t>(order.size() / kGrain, 1, kBlocks);
   counts_.assign(blocks_ * tiles, 0);
@@ -108,7 +110,7 @@ std::size_t FaceBins::fill(std::size_t firstTile, std::size_t mostPairs) {
     }
     for (std::size_t i = order_.size() * block / blocks_; i < order_.size() * (block + 1) / blocks_; ++i) {
       const Index face = order_[i];
-      const std::uint32_t listed = face | (faces_->isBoundary(face) ? kBoundaryBit : 0u);
+      const std::uint32_t listed = face | (boxes_[face].boundary != 0 ? kBoundaryBit : 0u);
       visitTiles(face, firstTile_, lastTile_, [&](std::size_t tile) { lists_[next[tile - firstTile_]++] = listed; });
     }
   });

@@ -20,10 +20,10 @@ TileGrid tileGrid(int width, int height, int side);
 class FaceBins {
  public:
   /// Finds the tiles that each face may cover: those with a pixel centre in its bounding box.
-  void findTiles(const RasterMesh& mesh, std::size_t pointCount, std::size_t faceCount, const TileGrid& grid);
+  void findTiles(const RasterMesh& mesh, std::size_t pointCount, const Faces& faces, const TileGrid& grid);
 
   /// Counts the pairs for `order`, which must stay as it is until the last list is filled.
-  void count(std::span<const Index> order, const Faces& faces);
+  void count(std::span<const Index> order);
   /// Fills the lists of tiles from `firstTile` on, as many as fit into `mostPairs` pairs, one at least; returns the
   /// first that is not filled.
   std::size_t fill(std::size_t firstTile, std::size_t mostPairs);
@@ -33,7 +33,9 @@ class FaceBins {
 
  private:
   struct TileBox {
-    std::uint16_t left, top, right, bottom;  ///< both ends included; left > right: none
+    std::uint16_t left, top, right;  ///< both ends included; left > right: none
+    std::uint16_t bottom : 15;
+    std::uint16_t boundary : 1;  ///< the face is on the mesh's; here, so that lists need to look at nothing else
   };
   /// Of a point: the first and last pixels that a box which ends there may cover.
   struct PixelBox {
@@ -46,7 +48,6 @@ class FaceBins {
   std::vector<PixelBox> pixels_;  ///< of the points
   std::vector<TileBox> boxes_;    ///< of the faces
   std::span<const Index> order_;
-  const Faces* faces_ = nullptr;
   std::size_t blocks_ = 0;             ///< of the order, each binned by one thread
   std::vector<std::uint32_t> counts_;  ///< of each block and tile: block * tiles + tile
   std::vector<std::size_t> ofTile_;    ///< pairs of each tile

@@ -56,10 +56,10 @@ class NativeKBufferRenderer final : public Renderer {
     const TileGrid grid = tileGrid(view.width, view.height, plan_.tileWidth);
     {
       const ScopedStage timer(stages, "order");
-      tbb::parallel_invoke([&] { sorter_->sort(viewPointOf(view), order_); },
+      tbb::parallel_invoke([&] { sorter_->sort(viewPoint(view), order_); },
                            [&] {
                              placePoints(view);
-                             bins_.findTiles(mesh_, points_.size(), prepared_.faces.size(), grid);
+                             bins_.findTiles(mesh_, points_.size(), prepared_.faces, grid);
                            });
     }
     bool late = false;
@@ -68,7 +68,7 @@ class NativeKBufferRenderer final : public Renderer {
       bool better = false;
       {
         const ScopedStage timer(stages, "order");
-        better = sorter_->refine(viewPointOf(view), order_);
+        better = sorter_->refine(viewPoint(view), order_);
       }
       if (better) drawing = drawInOrder(view, grid, stages, progress, late);
     }
@@ -76,6 +76,13 @@ class NativeKBufferRenderer final : public Renderer {
   }
 
  private:
+  /// With the sides of faces that the fill rule sees.
+  static ViewPoint viewPoint(const View& view) {
+    ViewPoint point = viewPointOf(view);
+    point.sideInPicture = [&view](const Vec3& a, const Vec3& b, const Vec3& c) { return sideOfEye(a, b, c, view); };
+    return point;
+  }
+
   Drawing drawInOrder(const View& view, const TileGrid& grid, StageTimes& stages, const Progress& progress,
                       bool& late) {
     Drawing drawing;
@@ -85,7 +92,7 @@ class NativeKBufferRenderer final : public Renderer {
     if (plan_.certificate) drawing.certificate.emplace().count.assign(drawing.image.rgba.size() / 4, 0);
     {
       const ScopedStage timer(stages, "upload");
-      bins_.count(order_.faces, prepared_.faces);
+      bins_.count(order_.faces);
     }
     const ScopedStage timer(stages, "draw");
     late = drawTiles(view, grid, drawing, progress);

@@ -39,7 +39,8 @@ struct ScalarLanes {
   static Int gatherInt(const std::int32_t* base, Int index) { return base[index]; }
   static unsigned bitsOf(Mask mask) { return mask ? 1u : 0u; }
   static Mask maskOf(unsigned bits) { return (bits & 1u) != 0; }
-  static Real least(Real a, Real b) { return a < b ? a : b; }
+  static Real least(Real a, Real b) { return a < b ? a : b; }  ///< b where one is no number
+  static Real most(Real a, Real b) { return a > b ? a : b; }   ///< the same
   static Int loadInts(const std::int32_t* from) { return *from; }
   /// Writes the values of the lanes of `mask`, whose bits are `bits`, one behind the other; up to kLanes numbers behind
   /// them may be written, too.
@@ -108,6 +109,7 @@ struct SimdLanes {
 #endif
   }
   static Real least(Real a, Real b) { return xsimd::min(a, b); }
+  static Real most(Real a, Real b) { return xsimd::max(a, b); }
   static Int loadInts(const std::int32_t* from) { return Int::load_unaligned(from); }
   static void compressInts(std::int32_t* to, Int value, Mask mask, unsigned bits) {
 #if defined(__AVX512F__)

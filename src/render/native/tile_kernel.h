@@ -7,6 +7,7 @@
 // sure, the exact rule (raster/face_hit.h) decides.
 #include <algorithm>
 #include <bit>
+#include <type_traits>
 
 #include "core/arithmetic.h"
 #include "raster/face_hit.h"
@@ -21,6 +22,9 @@ constexpr unsigned kAllLanes = 0xFFFFu;
 alignas(64) constexpr float kLaneX[kStampPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr std::int32_t kLaneNumber[kStampPixels] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 alignas(64) constexpr float kLaneY[kStampPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+using EightNumbers [[gnu::vector_size(32)]] = float;
+using SixteenNumbers [[gnu::vector_size(64)]] = float;
 
 template <int kAttributes, class Lanes>
 struct PayloadFor;
@@ -189,11 +193,14 @@ class TileDrawer {
   static constexpr int kGroups = kStampPixels / kLanes;  ///< a stamp is drawn in so many groups of lanes
   static constexpr unsigned kGroupBits = kAllLanes >> (kStampPixels - kLanes);
 
+  /// One number of each of a face's functions.
+  using OfFunctions = std::conditional_t<Batch::kFunctions <= 8, EightNumbers, SixteenNumbers>;
+
   /// A group of a stamp with pixels that the face covers, or may cover.
   struct Touched {
+    OfFunctions offset;  ///< from the functions in the face's first stamp to those here
     int stamp, group;
     unsigned sure, unsure;
-    float x, y;  ///< of the stamp, from the face's first
   };
   static constexpr int kMostListed = 32;  ///< before they are drawn; and those of another row of stamps
 
@@ -338,26 +345,30 @@ class TileDrawer {
     const Batch& f = batch_;
     const int firstColumn = f.left[face] / kStampSide, lastColumn = f.right[face] / kStampSide;
     const int firstRow = f.top[face] / kStampSide, lastRow = f.bottom[face] / kStampSide;
-    Real edge[3][kGroups];  // at the pixels of the first stamp
-    for (int i = 0; i < 3; ++i)
+    OfFunctions perX{}, perY{};
+    for (int i = 0; i < Batch::kFunctions; ++i) {
+      perX[i] = f.perX[i][face];
+      perY[i] = f.perY[i][face];
       for (int group = 0; group < kGroups; ++group)
-        edge[i][group] = (Real(f.perX[i][face]) * Lanes::load(kLaneX + group * kLanes) +
-                          Real(f.perY[i][face]) * Lanes::load(kLaneY + group * kLanes)) +
-                         Real(f.atOrigin[i][face]);
+        inFirst_[i][group] = (Real(perX[i]) * Lanes::load(kLaneX + group * kLanes) +
+                              Real(perY[i]) * Lanes::load(kLaneY + group * kLanes)) +
+                             Real(f.atOrigin[i][face]);
+    }
     int listed = 0;
     for (int row = firstRow; row <= lastRow; ++row) {
-      const float y = static_cast<float>(tile_.top + row * kStampSide - f.originY[face]);
+      const OfFunctions down = perY * static_cast<float>(tile_.top + row * kStampSide - f.originY[face]);
       for (int column = firstColumn; column <= lastColumn; ++column) {
         const int stamp = row * tile_.stampsAcross + column;
         const unsigned active = tile_.active[stamp];
-        const float x = static_cast<float>(tile_.left + column * kStampSide - f.originX[face]);
+        const OfFunctions offset =
+            perX * static_cast<float>(tile_.left + column * kStampSide - f.originX[face]) + down;
         for (int group = 0; group < kGroups; ++group) {
-          auto value = [&](int i) { return edge[i][group] + Real(f.perX[i][face] * x + f.perY[i][face] * y); };
-          const Real inside = Lanes::least(Lanes::least(value(0), value(1)), value(2));
+          auto edge = [&](int i) { return inFirst_[i][group] + Real(offset[i]); };
+          const Real inside = Lanes::least(Lanes::least(edge(0), edge(1)), edge(2));
           const unsigned bits = groupBits(active, group);
           const unsigned sure = Lanes::bitsOf(inside > Real(1.0f)) & bits;
           const unsigned unsure = Lanes::bitsOf(inside >= Real(-1.0f)) & bits & ~sure;
-          touched_[listed] = {stamp, group, sure, unsure, x, y};
+          touched_[listed] = {offset, stamp, group, sure, unsure};
           listed += (sure | unsure) != 0 ? 1 : 0;  // without a branch, which would often be guessed wrong
         }
       }
@@ -372,20 +383,12 @@ class TileDrawer {
     unsigned covered = t.sure;
     if (t.unsure != 0) covered |= decide(batch_.corners[face], t.stamp, t.group, t.unsure);
     if (covered == 0) return;
-    drawGroup(face, Real(t.x) + Lanes::load(kLaneX + t.group * kLanes),
-              Real(t.y) + Lanes::load(kLaneY + t.group * kLanes), t.stamp, t.group, covered);
-  }
-
-  /// (x, y): of the pixels, from the face's first stamp.
-  void drawGroup(int face, Real x, Real y, int stamp, int group, unsigned covered) {
     const Batch& f = batch_;
-    auto function = [&](int i) {
-      return Real(f.perX[i][face]) * x + Real(f.perY[i][face]) * y + Real(f.atOrigin[i][face]);
-    };
+    auto function = [&](int i) { return inFirst_[i][t.group] + Real(t.offset[i]); };
     tile_.fragments += static_cast<unsigned>(std::popcount(covered));
 
     const Real perSum = Real(1.0f) / function(Batch::kSum);
-    const Real scale = Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
+    const Real scale = Lanes::load(tile_.rayScale + t.stamp * kStampPixels + t.group * kLanes);
     typename A::Fragment fragment;
     fragment.distance = (Real(f.value0[0][face]) + function(Batch::kNumerator) * perSum) * scale;
     fragment.payload.kind = Real(f.kind[face]);
@@ -397,14 +400,11 @@ class TileDrawer {
     } else {
       for (int i = 0; i < kAttributes; ++i) fragment.payload.color[i] = attribute(i);
     }
-    insert(stamp, group, covered, fragment);
+    insert(t.stamp, t.group, covered, fragment);
   }
 
   /// To [0, 1].
-  static Real clamped(Real value) {
-    const Real low = Lanes::select(value > Real(0.0f), value, Real(0.0f));
-    return Lanes::select(low < Real(1.0f), low, Real(1.0f));
-  }
+  static Real clamped(Real value) { return Lanes::least(Lanes::most(value, Real(0.0f)), Real(1.0f)); }
 
   /// The pixels of `bits` that the face covers by the exact rule.
   unsigned decide(const FaceCorners& corners, int stamp, int group, unsigned bits) const {
@@ -502,6 +502,7 @@ class TileDrawer {
   TileDraw& tile_;
   SegmentQueue& queue_;
   Batch batch_{};
+  Real inFirst_[Batch::kFunctions][kGroups];  ///< a face's functions at the pixels of its first stamp
   Touched touched_[kMostListed + kLargestTileStamps * kGroups + 1];
 };
 
