@@ -53,6 +53,9 @@ struct TileDraw {
 
   std::size_t activePixels;  ///< the drawing ends when none is left
   bool compositeLate;
+  /// By how much a fragment may be nearer than the one before it, for the order to be believed and not the distances:
+  /// with cell data, as of several fragments in one place the last says what lies behind it; else 0.
+  float sameDistance;
   bool flushAlways;  ///< after every fragment, so that pixels are done exactly when their opacity says so
   std::uint64_t fragments;
   std::uint64_t lateFragments;  ///< that a kernel of the full k has met

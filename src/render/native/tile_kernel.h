@@ -90,13 +90,13 @@ class EntriesOfPixels {
     for (int i = 0; i < K; ++i) Stored::store(entryAt(i), A::emptyFragment());
   }
 
-  Inserted<typename A::Segment> insert(const typename A::Fragment& incoming, unsigned bits, bool compositeLate) {
+  Inserted<typename A::Segment> insert(const typename A::Fragment& incoming, unsigned bits, const TileDraw& tile) {
     typename A::KBuffer kbuffer = entries();
     typename A::PixelState pixel = loadPixel();
     Inserted<typename A::Segment> done;
     done.wrong = bits & Lanes::bitsOf(A::isLate(kbuffer, pixel, incoming));
     done.taken = bits;
-    if (done.wrong != 0 && !compositeLate) {
+    if (done.wrong != 0 && !tile.compositeLate) {
       pixel.inside =
           Lanes::select(Lanes::maskOf(done.wrong), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
       Lanes::store(state_, pixel.inside);
@@ -149,7 +149,8 @@ class EntriesOfPixels {
 };
 
 /// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, and its pixel
-/// flagged; in all others every k gives the same segments, to the last bit.
+/// flagged; in all others every k gives the same segments, to the last bit. With cell data the order is believed where
+/// distances differ by their rounding only (TileDraw::sameDistance).
 template <class Lanes, int kAttributes>
 class LastOfPixels {
  public:
@@ -162,11 +163,12 @@ class LastOfPixels {
 
   void begin() { Stored::store(state_, A::emptyFragment()); }
 
-  Inserted<typename A::Segment> insert(typename A::Fragment incoming, unsigned bits, bool) {
+  Inserted<typename A::Segment> insert(typename A::Fragment incoming, unsigned bits, const TileDraw& tile) {
     // Kept with a fragment is not its kind but the inside-count behind it, which leave() then gives back.
     const typename A::Fragment last = Stored::load(state_);
     Inserted<typename A::Segment> done;
-    done.wrong = bits & Lanes::bitsOf(incoming.distance < last.distance);
+    done.wrong = bits & Lanes::bitsOf(incoming.distance < last.distance - Real(tile.sameDistance));
+    incoming.distance = Lanes::most(incoming.distance, last.distance);
     done.taken = bits & ~done.wrong;
     incoming.payload.kind = last.payload.kind + incoming.payload.kind;
     typename A::PixelState outside{Real(0.0f), Real(0.0f)};
@@ -265,7 +267,7 @@ class TileDrawer {
 
   /// One fragment in each of the pixels of `bits`, a group of lanes of a stamp.
   void insert(int stamp, int group, unsigned bits, const typename A::Fragment& incoming) {
-    const auto done = pixelsOf(stamp, group).insert(incoming, bits, tile_.compositeLate);
+    const auto done = pixelsOf(stamp, group).insert(incoming, bits, tile_);
     if (done.wrong != 0) {
       if constexpr (Pixels::kFlagsWrong) {
         giveUp(stamp, done.wrong << (group * kLanes));
