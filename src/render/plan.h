@@ -53,7 +53,7 @@ struct RenderPlan {
   bool certificate = false;
   bool marksDonePixels = false;  ///< k-buffer: a stencil spares pixels that take no more fragments
   bool compositeLate = false;
-  bool speculate = true;  ///< native device: tries a small k first, which gives the same picture; off: to test that
+  bool speculate = true;  ///< native device: believes the order first, pixel by pixel proven; off: to test that
 };
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table

@@ -45,7 +45,7 @@ struct TileDraw {
 
   // Of each stamp
   std::uint16_t* active;   ///< pixels that fragments are taken for: bit i of lane i
-  std::uint16_t* flagged;  ///< pixels whose order a speculative kernel could not keep
+  std::uint16_t* flagged;  ///< pixels whose order has proven wrong
   float* state;            ///< the k-buffer, begun by the kernel
   const float* rayScale;   ///< length along the ray for one unit of depth
   float* rgba;             ///< of each pixel, four numbers, premultiplied

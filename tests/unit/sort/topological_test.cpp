@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "core/parallel.h"
 #include "mesh/local_frame.h"
+#include "sort/face_order.h"
 #include "support/meshes.h"
 #include "support/ordered_scene.h"
 #include "support/views.h"
@@ -54,6 +56,45 @@ TEST(TopologicalOrder, BeatsTheCentroidOrderOnStretchedCells) {
   const View view = test::viewFrom(scene.frame, 30, 20, 128);
   EXPECT_EQ(scene.replay("topological", view, 1).misordered, 0u);
   EXPECT_GT(scene.replay("centroid", view, 1).misordered, 1000u);
+}
+
+// Faces seen edge on take the side that the picture says: that of a view tilted by ever so little, one way or the other
+// way, with the same sorter.
+TEST(TopologicalOrder, TakesTheSidesOfEdgeOnFacesFromThePicture) {
+  const test::OrderedScene scene(test::box(4, test::Cut::six));
+  const auto sorter = sortMethod("topological").make({scene.points, scene.mesh.tetrahedra, &scene.faces});
+  for (const Vec3 tilt : {Vec3{1e-3, 2e-3, 0}, Vec3{-1e-3, 2e-3, 0}, Vec3{1e-3, -3e-3, 0}}) {
+    const Vec3 toEye = Vec3{0, 0, 1} + tilt;
+    ViewPoint view;
+    view.orthographic = true;
+    view.direction = {0, 0, -1};
+    std::size_t asked = 0;
+    view.sideInPicture = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+      ++asked;
+      return dot(cross(b - a, c - a), toEye) > 0 ? 1 : -1;
+    };
+    FaceOrder order;
+    const ThreadLimit one(1);  // for the counter
+    sorter->sort(view, order);
+    EXPECT_GT(asked, 100u);
+    EXPECT_EQ(order.cycles, 0u);
+    std::vector<std::size_t> place(order.faces.size());
+    for (std::size_t i = 0; i < order.faces.size(); ++i) place[order.faces[i]] = i;
+    for (std::size_t cell = 0; cell < scene.mesh.tetrahedra.size(); ++cell) {
+      std::size_t lastEntered = 0, firstLeft = order.faces.size();
+      for (const Index face : scene.faces.ofCell[cell]) {
+        const auto& [a, b, c] = scene.faces.vertices[face];
+        const Vec3 normal = cross(scene.points[b] - scene.points[a], scene.points[c] - scene.points[a]);
+        const bool outOfCell = scene.faces.cells[face][0] == cell;
+        if ((dot(normal, toEye) > 0) == outOfCell) {
+          lastEntered = std::max(lastEntered, place[face]);
+        } else {
+          firstLeft = std::min(firstLeft, place[face]);
+        }
+      }
+      ASSERT_LT(lastEntered, firstLeft) << cell;
+    }
+  }
 }
 
 // Which of two parts of a non-convex mesh is in front is a guess (by where rays leave them). It may fail at a few rays;
