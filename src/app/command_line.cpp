@@ -56,6 +56,7 @@ void runCommandLine(int argc, char** argv) {
   addStudyCommand(program);
   addInfoCommand(program);
   addMeshCommand(program);
+  addSchemaCommand(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {

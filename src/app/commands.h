@@ -11,5 +11,6 @@ void addStudyCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMeshCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
+void addSchemaCommand(CLI::App& program);
 
 }  // namespace havs

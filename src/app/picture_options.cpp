@@ -4,13 +4,26 @@
 
 #include "app/print_json.h"
 #include "app/render_report.h"
+#include "app/scene_file.h"
 #include "core/error.h"
+#include "core/output_file.h"
 #include "image/image.h"
 
 namespace havs {
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
   addSceneOptions(command, options.scene);
+  CLI::Option* input = command.get_option("INPUT");
+  input->description("A scene file (.json), or a mesh: " + input->get_description().substr(6));
+  command
+      .add_option("--set", options.changes,
+                  "Change a value of the scene file: k=4, camera.azimuth=30; may be given several times")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->expected(1);
+  command.add_option("--save-scene", options.savedScene, "Write what this command line says as a scene file")
+      ->type_name("FILE")
+      ->group(kOutputGroup);
   command.add_option("-o,--output", options.outputs, "Picture: .png, .exr or .pfm; may be given several times")
       ->type_name("FILE")
       ->take_all()
@@ -24,6 +37,14 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
       ->group(kOutputGroup);
 }
 
+void readSceneFile(PictureOptions& options) {
+  if (isSceneFile(options.scene.mesh)) {
+    readSceneFile(options.scene, options.outputs, options.changes);
+  } else if (!options.changes.empty()) {
+    failInput("changes scene files, and INPUT is none", "--set", "use the options themselves");
+  }
+}
+
 Scene checkedScene(const PictureOptions& options) {
   const Scene scene = makeScene(options.scene);
   if (options.pngBits != 8 && options.pngBits != 16)
@@ -34,6 +55,11 @@ Scene checkedScene(const PictureOptions& options) {
 
 void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report,
              const MaxErrorReport* error) {
+  if (!options.savedScene.empty()) {
+    OutputFile file(options.savedScene);
+    file.write(sceneFileOf(options.scene, options.outputs, options.savedScene));
+    file.commit();
+  }
   for (const auto& output : options.outputs) writeImage(report.image, output, {scene.background, options.pngBits});
   if (options.json) {
     nlohmann::ordered_json json = reportAsJson(scene, report, options.outputs);

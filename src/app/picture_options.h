@@ -12,7 +12,9 @@ namespace havs {
 /// The options of a command that draws a scene: all of the scene's, and where its picture and its report go.
 struct PictureOptions {
   SceneOptions scene;
+  std::vector<std::string> changes;  ///< of a scene file
   std::vector<std::filesystem::path> outputs;
+  std::filesystem::path savedScene;  ///< empty: none
   int pngBits = 8;
   bool json = false;
   bool quiet = false;
@@ -22,6 +24,9 @@ struct PictureOptions {
 inline constexpr const char* kOutputGroup = "Output";
 
 void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+/// Completes the options by the scene file, where INPUT is one (app/scene_file.h). Throws Error{input}.
+void readSceneFile(PictureOptions& options);
 
 /// The scene that was asked for. Throws Error{input} for anything wrong with it, and for pictures that cannot be
 /// written.

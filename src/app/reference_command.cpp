@@ -42,7 +42,10 @@ void addReferenceCommand(CLI::App& program) {
                    "havs compare --mask")
       ->type_name("FILE")
       ->group(kOutputGroup);
-  command->callback([options] { draw(*options); });
+  command->callback([options] {
+    readSceneFile(options->picture);
+    draw(*options);
+  });
 }
 
 }  // namespace havs

@@ -59,7 +59,10 @@ void addRenderCommand(CLI::App& program) {
   addPictureOptions(*command, options->picture);
   addCertificateOptions(*command, *options);
   addMaxErrorOptions(*command, options->maxError);
-  command->callback([options] { render(*options); });
+  command->callback([options] {
+    readSceneFile(options->picture);
+    render(*options);
+  });
 }
 
 }  // namespace havs
