@@ -7,6 +7,7 @@
 
 #include "app/table_names.h"
 #include "core/error.h"
+#include "core/parallel.h"
 #include "study/axes.h"
 
 namespace havs {
@@ -47,6 +48,7 @@ RenderReport renderWithin(const ErrorGoal& goal, bool verify, Scene& scene, MaxE
   using Clock = std::chrono::steady_clock;
   error.goal = goal;
   StageTimes stages;
+  const ThreadLimit limit(scene.threads);
   const PreparedScene prepared = prepareScene(scene, stages, progress);
   error.chosen = chooseSettings(scene, prepared, goal, progress);
   scene = error.chosen.scene;

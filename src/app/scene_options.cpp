@@ -89,7 +89,7 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
                   defaults.k));
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
   addTable("--lookup", options.lookup, "How a segment's colour is found",
-           fmt::format("auto: exact where the transfer function has few knots and no table is asked for, else {}",
+           fmt::format("auto: exact where cells hold at most 2 knots of the transfer function and no table is asked for, else {}",
                        defaults.lookup),
            lookups());
   add(command, kGroup, "--table", options.tableSize, "N",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <optional>
 
 #include "core/error.h"
@@ -91,8 +92,8 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
   RenderReport report;
   report.stages = before;
   const double cpuBefore = cpuSeconds();
+  const auto start = std::chrono::steady_clock::now();
   {
-    const ScopedStage total(report.stages, "total");
     checkScene(scene);
     const ThreadLimit limit(scene.threads);
     std::optional<PreparedScene> own;
@@ -103,6 +104,9 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
     report.camera = describe(scene.camera, prepared.frame, scene.width, scene.height);
     draw(prepared, view, report);
   }
+  double total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  for (const auto& [stage, milliseconds] : before.medians()) total += milliseconds;
+  report.stages.add("total", total);
   report.cpuMilliseconds = 1e3 * (cpuSeconds() - cpuBefore);
   return report;
 }

@@ -51,8 +51,8 @@ struct RenderReport {
 /// Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
 RenderReport renderScene(const Scene& scene, const Progress& progress = {});
 
-/// The same of a scene that prepareScene has made ready. `before`: what that took, for the report; its total and its
-/// processor time are of the drawing only.
+/// The same of a scene that prepareScene has made ready. `before`: what that took, for the report, its total too; its
+/// processor time is of the drawing only.
 RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, const StageTimes& before,
                          const Progress& progress = {});
 

@@ -127,7 +127,9 @@ class TopologicalSorter final : public FaceSorter {
   std::vector<Index> cells_;               ///< in the order of the last view
   std::vector<FacePieces::Piece> pieces_;  ///< of cells_
   CellSearch search_;
-  mutable std::atomic<bool> picturesCount_ = false;  ///< a side was asked of the picture, which another may have otherwise
+  /// Sides of the last view were asked of its picture (ViewPoint::sideInPicture): of another picture from the same place
+  /// they may be others.
+  mutable std::atomic<bool> askedPicture_ = false;
   bool isSearched_ = false;               ///< the search of these sides and starts came to its end
   std::vector<std::uint32_t> startKeys_;  ///< one a boundary face
   std::vector<KeyedIndex> leftFaces_;
@@ -151,9 +153,9 @@ TopologicalSorter::TopologicalSorter(const SortInput& input)
 void TopologicalSorter::sortInPieces(const ViewPoint& view, FaceOrder& order,
                                      const std::function<void(std::size_t)>& ready) {
   order.faces.resize(input_.faces->size());
-  if (!isSearched_ || view != view_ || picturesCount_) {
+  if (!isSearched_ || view != view_ || askedPicture_) {
     view_ = view;
-    picturesCount_ = false;
+    askedPicture_ = false;
     const bool sidesChanged = findSides(), startsChanged = findStarts();
     view_.sideInPicture = {};  // may not outlive this call
     isSearched_ = isSearched_ && !sidesChanged && !startsChanged;
@@ -199,7 +201,7 @@ Side TopologicalSorter::sideOf(Index face) const {
   const double reach = edges + reachOf(input_.points[a], plane.toEye, view_);
   if (std::abs(plane.height) > kPictureRounding * edges * reach * reach)
     return plane.height > 0 ? Side::outside : Side::inside;
-  picturesCount_.store(true, std::memory_order_relaxed);
+  askedPicture_.store(true, std::memory_order_relaxed);
   return static_cast<Side>(view_.sideInPicture(input_.points[a], input_.points[b], input_.points[c]));
 }
 

@@ -123,8 +123,9 @@ class NativeKBufferRenderer final : public Renderer {
     const std::vector<ScreenPoint> placed = screenPoints(prepared_.points, view);
     parallelFor(0, points_.size(), 8192, [&](std::size_t i) {
       static_cast<ScreenPoint&>(points_[i]) = placed[i];
-      points_[i].column = placed[i].x / placed[i].w;
-      points_[i].row = placed[i].y / placed[i].w;
+      const bool before = placed[i].w > 0;  // what lies behind the eye has no place
+      points_[i].column = before ? placed[i].x / placed[i].w : 0;
+      points_[i].row = before ? placed[i].y / placed[i].w : 0;
       points_[i].scalar = mesh_.cellData ? 0.0 : prepared_.scalars[i];
     });
     mesh_.points = points_.data();

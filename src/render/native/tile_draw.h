@@ -18,7 +18,7 @@ inline constexpr int kLargestTileStamps = 64;  ///< across a tile
 
 /// A point of the mesh in the picture: a cache line.
 struct alignas(64) RasterPoint : ScreenPoint {
-  double column, row;  ///< x / w, y / w
+  double column, row;  ///< x / w, y / w; 0 behind the eye
   double scalar;       ///< of [0, 1]; point data
 };
 
@@ -43,7 +43,7 @@ struct TileDraw {
   int left, top;  ///< of the tile in the picture
   int stampsAcross, stampsDown;
 
-  // Of each stamp
+  // Of each stamp, and of the pixels in it
   std::uint16_t* active;   ///< pixels that fragments are taken for: bit i of lane i
   std::uint16_t* flagged;  ///< pixels whose order has proven wrong
   float* state;            ///< the k-buffer, begun by the kernel
@@ -56,7 +56,7 @@ struct TileDraw {
   /// By how much a fragment may be nearer than the one before it, for the order to be believed and not the distances:
   /// with cell data, as of several fragments in one place the last says what lies behind it; else 0.
   float sameDistance;
-  bool flushAlways;  ///< after every fragment, so that pixels are done exactly when their opacity says so
+  bool flushAlways;  ///< after every stamp's segments, so that pixels are done exactly when their opacity says so
   std::uint64_t fragments;
   std::uint64_t lateFragments;  ///< that a kernel of the full k has met
 

@@ -24,7 +24,7 @@ void endPixel(TileDraw& tile, std::size_t pixel) {
 }
 
 /// compositeUnder of shaders/core/compositing.glsl, the four channels at once.
-using Four [[gnu::vector_size(16)]] = float;
+using Four [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
 
 Four compositeUnder(Four front, Four back) { return front + (1.0f - front[3]) * back; }
 
