@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "render/devices.h"
 #include "render/lookups.h"
 #include "render/plan.h"
 #include "render/visibility.h"
@@ -16,40 +17,63 @@
 namespace havs {
 namespace {
 
-/// Nanoseconds a fragment on llvmpipe with two threads, spx at 512 x 512 (a study); only ratios matter.
-constexpr double kFragment = 25, kEntryOfK = 1.5, kTableEntry = 400;
 struct LookupCost {
   const char* name;
-  double fixed = 0, perSample = 0;
+  double fixed = 0, perSample = 0, perKnot = 0;  ///< knots: SceneFacts::knotsInCells
 };
-constexpr std::array<LookupCost, 9> kLookupCosts{{{"2d", 0},
-                                                  {"3d", 4},
-                                                  {"post", 6},
-                                                  {"integral", 12},
-                                                  {"pre", 13},
-                                                  {"3d-normalised", 15},
-                                                  {"riemann", 0, 8.5},
-                                                  {"riemann-linear", 0, 8.5},
-                                                  {"exact", 165}}};
+/// Nanoseconds a fragment and an entry of a table; only ratios matter.
+struct CostModel {
+  double fragment, entryOfK, tableEntry;
+  std::array<LookupCost, 9> lookups;
+};
+
+/// llvmpipe with two threads, spx at 512 x 512 (a study).
+constexpr CostModel kOpenGl{25,
+                            1.5,
+                            400,
+                            {{{"2d", 0},
+                              {"3d", 4},
+                              {"post", 6},
+                              {"integral", 12},
+                              {"pre", 13},
+                              {"3d-normalised", 15},
+                              {"riemann", 0, 8.5},
+                              {"riemann-linear", 0, 8.5},
+                              {"exact", 165}}}};
+/// The native device with AVX-512: bench_segments, bench_prepare and the frames of docs/07-performance.md. k costs
+/// nothing where the order is right.
+constexpr CostModel kNative{8.6,
+                            0,
+                            45,
+                            {{{"2d", 3.6},
+                              {"3d", 6.5},
+                              {"post", 6.6},
+                              {"integral", 10.7},
+                              {"pre", 10.5},
+                              {"3d-normalised", 9.7},
+                              {"riemann", 0, 3.9},
+                              {"riemann-linear", 0, 3.9},
+                              {"exact", 7, 0, 0.5}}}};
 constexpr std::array kAllK{2, 4, 8, 14};
 constexpr std::array kSamples{4, 16};
 
 /// A lookup that is not listed counts as the dearest.
-double lookupCost(const Lookup& row) {
+double lookupCost(const CostModel& model, const Lookup& row, double knotsInCells) {
   const std::string plain = row.name.substr(0, row.name.find(':'));
-  for (const LookupCost& cost : kLookupCosts)
-    if (plain == cost.name) return cost.fixed + cost.perSample * row.number;
-  return kLookupCosts.back().fixed;
+  const auto listed = std::find_if(model.lookups.begin(), model.lookups.end() - 1,
+                                   [&](const LookupCost& cost) { return plain == cost.name; });
+  return listed->fixed + listed->perSample * row.number + listed->perKnot * knotsInCells;
 }
 
-double costOf(const Scene& scene, double fragments) {
+double costOf(const Scene& scene, const SceneWork& work) {
   constexpr double kMilliseconds = 1e-6;
+  const CostModel& model = scene.device == kNativeDevice ? kNative : kOpenGl;
   const Lookup row = lookup(scene.lookup);
   const LookupResource* table = tableOf(row);
   const double entries = table != nullptr ? std::pow(tableSizeOf(scene), table->axes) : 0;
   const int k = visibilityMethod(scene.visibility).maximumK > 0 ? scene.k : 0;
-  const double frame = fragments * (kFragment + kEntryOfK * k + lookupCost(row));
-  return kMilliseconds * (kTableEntry * entries + scene.repeat * frame);
+  const double frame = work.fragments * (model.fragment + model.entryOfK * k + lookupCost(model, row, work.knotsInCells));
+  return kMilliseconds * (model.tableEntry * entries + scene.repeat * frame);
 }
 
 std::vector<std::string> lookupChoices() {
@@ -81,15 +105,15 @@ bool isAllowed(const Scene& scene) {
 }
 
 /// All with this k, those dearer than `exact` left out.
-void addCandidates(std::vector<Candidate>& all, Scene scene, double fragments) {
+void addCandidates(std::vector<Candidate>& all, Scene scene, const SceneWork& work) {
   scene.lookup = "exact";
-  const double most = costOf(scene, fragments);
+  const double most = costOf(scene, work);
   const std::optional<int> given = scene.tableSize;
   for (const std::string& name : lookupChoices()) {
     scene.lookup = name;
     for (const std::optional<int> size : tableSizes(lookup(name), given)) {
       scene.tableSize = size;
-      const double cost = costOf(scene, fragments);
+      const double cost = costOf(scene, work);
       if (isAllowed(scene) && (cost < most || name == "exact")) all.push_back({scene, cost});
     }
     scene.tableSize = given;
@@ -98,14 +122,14 @@ void addCandidates(std::vector<Candidate>& all, Scene scene, double fragments) {
 
 }  // namespace
 
-std::vector<Candidate> candidatesFor(const Scene& scene, double fragments) {
+std::vector<Candidate> candidatesFor(const Scene& scene, const SceneWork& work) {
   std::vector<Candidate> all;
   Scene one = scene;
   one.kAuto = false;
-  if (visibilityMethod(scene.visibility).maximumK == 0) addCandidates(all, one, fragments);
+  if (visibilityMethod(scene.visibility).maximumK == 0) addCandidates(all, one, work);
   for (const int k : kAllK) {
     one.k = k;
-    if (visibilityMethod(scene.visibility).maximumK > 0) addCandidates(all, one, fragments);
+    if (visibilityMethod(scene.visibility).maximumK > 0) addCandidates(all, one, work);
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
   return all;

@@ -121,7 +121,7 @@ class SettingsChooser::Probe {
 
 SettingsChooser::SettingsChooser(const Scene& scene, const PreparedScene& prepared, const std::string& measure)
     : measure_(measure),
-      candidates_(candidatesFor(scene, countFragments(scene, prepared))),
+      candidates_(candidatesFor(scene, {countFragments(scene, prepared), prepared.knotsInCells})),
       probe_(std::make_unique<Probe>(scene, prepared, measure)) {
   if (candidates_.empty()) failInput("no lookup goes with the other settings that are asked for", "--max-error");
 }

@@ -41,11 +41,17 @@ struct Candidate {
   double cost = 0;  ///< milliseconds by the model, of the table and Scene::repeat frames
 };
 
+/// What the cost of a picture depends on besides its settings.
+struct SceneWork {
+  double fragments = 0;     ///< countFragments
+  double knotsInCells = 0;  ///< meanKnotsInCells (scene/knots_in_cells.h)
+};
+
 /// What may be chosen, cheapest first: every lookup, k, sizes of the table; all else as in the scene. Without those
-/// that cost more than the lookup `exact` with the same k. `fragments`: of the picture. The cost is a model, so that
-/// the choice is the same on every run: nanoseconds of each lookup a fragment and a table's entry, measured on
-/// llvmpipe.
-std::vector<Candidate> candidatesFor(const Scene& scene, double fragments);
+/// that cost more than the lookup `exact` with the same k. The cost is a model, so that the choice is the same on every
+/// run: nanoseconds of each lookup a fragment and a table's entry, measured on llvmpipe, and on the native device for
+/// that.
+std::vector<Candidate> candidatesFor(const Scene& scene, const SceneWork& work);
 
 /// How many fragments the faces of the cells that show anything have in a picture of the scene, from their projected
 /// areas (an estimate: faces that reach behind the eye or beyond the border count whole or not at all).

@@ -45,7 +45,7 @@ class ChooseSettings : public testing::TestWithParam<NamedMesh> {
 };
 
 double costOf(const ChosenSettings& chosen, const PreparedScene& mesh) {
-  for (const Candidate& one : candidatesFor(smallScene(), countFragments(smallScene(), mesh)))
+  for (const Candidate& one : candidatesFor(smallScene(), {countFragments(smallScene(), mesh)}))
     if (settingsKey(one.scene) == settingsKey(chosen.scene)) return one.cost;
   ADD_FAILURE() << "not a candidate: " << settingsLabel(chosen.scene);
   return 0;
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, ChooseSettings, testing::ValuesIn(kMeshes),
                          [](const auto& one) { return one.param.name; });
 
 TEST(Candidates, StandInTheOrderOfTheirCostEachOnce) {
-  const std::vector<Candidate> all = candidatesFor(smallScene(), 1e6);
+  const std::vector<Candidate> all = candidatesFor(smallScene(), {1e6});
   ASSERT_GT(all.size(), 20u);
   std::set<std::string> keys;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -106,12 +106,24 @@ TEST(Candidates, CountATableOnceAndAFrameAsOftenAsItIsDrawn) {
   const auto has128 = [](int repeat) {
     Scene scene = smallScene();
     scene.repeat = repeat;
-    const auto all = candidatesFor(scene, 1e6);
+    const auto all = candidatesFor(scene, {1e6});
     return std::any_of(all.begin(), all.end(),
                        [](const Candidate& one) { return one.scene.lookup == "3d" && one.scene.tableSize == 128; });
   };
   EXPECT_FALSE(has128(1));
   EXPECT_TRUE(has128(20));
+}
+
+/// Where cells hold few knots, hardly anything is cheaper than `exact`; where they hold many, tables are.
+TEST(Candidates, OnTheNativeDeviceExactIsAsDearAsTheKnotsInCells) {
+  Scene scene = smallScene();
+  scene.device = "native";
+  const auto hasNormalised = [&](double knotsInCells) {
+    const auto all = candidatesFor(scene, {1e6, knotsInCells});
+    return std::any_of(all.begin(), all.end(), [](const Candidate& one) { return one.scene.lookup == "3d-normalised"; });
+  };
+  EXPECT_FALSE(hasNormalised(0.1));
+  EXPECT_TRUE(hasNormalised(70));
 }
 
 /// Faces that lie one behind the other count each: the a-buffer counts the fragments themselves.
