@@ -125,8 +125,7 @@ std::string describeTransfer(const RenderReport& report) {
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
   const LookupResource* made = tableOf(lookup(report.lookup));
-  const std::string table =
-      made ? fmt::format(" ({}^{}, {})", report.tableSize, made->axes, scene.tableFormat) : "";
+  const std::string table = made ? fmt::format(" ({}^{}, {})", report.tableSize, made->axes, scene.tableFormat) : "";
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   const std::string k =
       method.maximumK > 0 ? fmt::format(" of {}{}", report.k, wantsKSearch(scene) ? " (searched for)" : "") : "";

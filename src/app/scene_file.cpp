@@ -55,7 +55,8 @@ Json numbersFromText(const std::string& text, std::size_t count, char separator)
   return numbers.size() == count ? numbers : Json(text);
 }
 
-const Form kText{"a text", {{"type", "string"}},
+const Form kText{"a text",
+                 {{"type", "string"}},
                  [](const Json& value, const Folder&) {
                    return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
                  },
@@ -76,7 +77,8 @@ bool isPreset(const std::string& name) {
   const auto rows = transferPresets();
   return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
 }
-const Form kTransferFunction{"a preset's name or a path", {{"type", "string"}},
+const Form kTransferFunction{"a preset's name or a path",
+                             {{"type", "string"}},
                              [](const Json& value, const Folder& folder) {
                                const bool named = value.is_string() && isPreset(value.get<std::string>());
                                return named ? std::optional(value.get<std::string>()) : fileToText(value, folder);
@@ -95,17 +97,17 @@ const Form kRange{"two numbers, as [0, 1]", listSchema("number", 2),
                   [](const Json& value, const Folder&) { return numbersToText(value, 2, ','); },
                   [](const std::string& text, const Folder&) { return numbersFromText(text, 2, ','); }};
 
-const Form kColor{"a name, '#rrggbb', [r, g, b] from 0 to 1, or null for none",
-                  {{"anyOf", {{{"type", {"string", "null"}}}, listSchema("number", 3)}}},
-                  [](const Json& value, const Folder&) {
-                    if (value.is_null()) return std::optional<std::string>("none");
-                    return value.is_string() ? std::optional(value.get<std::string>()) : numbersToText(value, 3, ',');
-                  },
-                  [](const std::string& text, const Folder&) {
-                    return text == "none" ? Json() : numbersFromText(text, 3, ',');
-                  }};
+const Form kColor{
+    "a name, '#rrggbb', [r, g, b] from 0 to 1, or null for none",
+    {{"anyOf", {{{"type", {"string", "null"}}}, listSchema("number", 3)}}},
+    [](const Json& value, const Folder&) {
+      if (value.is_null()) return std::optional<std::string>("none");
+      return value.is_string() ? std::optional(value.get<std::string>()) : numbersToText(value, 3, ',');
+    },
+    [](const std::string& text, const Folder&) { return text == "none" ? Json() : numbersFromText(text, 3, ','); }};
 
-const Form kCamera{"an object with azimuth, elevation and so on", {{"type", {"object", "string"}}},
+const Form kCamera{"an object with azimuth, elevation and so on",
+                   {{"type", {"object", "string"}}},
                    [](const Json& value, const Folder&) {
                      if (value.is_object()) return std::optional(value.dump());
                      return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
@@ -275,8 +277,8 @@ void change(Json& scene, const std::string& assignment) {
 }
 
 void readOutputs(const Json& value, const std::string& file, std::vector<std::filesystem::path>& outputs) {
-  const bool isList = value.is_array() && std::all_of(value.begin(), value.end(),
-                                                      [](const Json& one) { return one.is_string(); });
+  const bool isList =
+      value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_string(); });
   if (!isList) failInput("'outputs' must be a list of paths", file);
   if (!outputs.empty()) return;
   for (const Json& one : value) outputs.emplace_back(one.get<std::string>());
@@ -307,7 +309,8 @@ void readSceneFile(SceneOptions& options, std::vector<std::filesystem::path>& ou
       readOutputs(value, file.string(), outputs);
       continue;
     }
-    const auto key = std::find_if(keys().begin(), keys().end(), [&name = name](const Key& k) { return k.name == name; });
+    const auto key =
+        std::find_if(keys().begin(), keys().end(), [&name = name](const Key& k) { return k.name == name; });
     if (key == keys().end()) failInput("unknown key '" + name + "'", file.string(), didYouMean(name, knownKeys()));
     std::visit(Reader{options, *key, value, file}, key->member);
   }

@@ -88,10 +88,12 @@ void addMethodOptions(CLI::App& command, SceneOptions& options) {
       fmt::format("Entries of the k-buffer (default {}); auto: the fewest that bring every fragment into order",
                   defaults.k));
   addTable("--sort", options.sort, "Order in which faces are drawn", defaults.sort, sortMethods());
-  addTable("--lookup", options.lookup, "How a segment's colour is found",
-           fmt::format("auto: exact where cells hold at most 2 knots of the transfer function and no table is asked for, else {}",
-                       defaults.lookup),
-           lookups());
+  addTable(
+      "--lookup", options.lookup, "How a segment's colour is found",
+      fmt::format(
+          "auto: exact where cells hold at most 2 knots of the transfer function and no table is asked for, else {}",
+          defaults.lookup),
+      lookups());
   add(command, kGroup, "--table", options.tableSize, "N",
       "Size of the table: entries along each axis, unless the lookup says otherwise (default: " + ownTableSizes() +
           ")");

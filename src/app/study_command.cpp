@@ -49,10 +49,11 @@ void replaceSceneOptions(CLI::App& command, StudyOptions& options) {
       ->take_all()
       ->expected(1)
       ->group("Camera and picture");
-  command.get_option("--device")->description(
-      fmt::format("Where to draw (default {}):{}", Scene{}.device, rowsForHelp(renderDevices())));
-  command.get_option("--lookup")->description(
-      fmt::format("How a segment's colour is found (default {}):{}", Scene{}.lookup, rowsForHelp(lookups())));
+  command.get_option("--device")
+      ->description(fmt::format("Where to draw (default {}):{}", Scene{}.device, rowsForHelp(renderDevices())));
+  command.get_option("--lookup")
+      ->description(
+          fmt::format("How a segment's colour is found (default {}):{}", Scene{}.lookup, rowsForHelp(lookups())));
   command.get_option("--size")->description(fmt::format("Pixels (default {}; with --quick {})", kSize, kQuickSize));
 }
 

@@ -12,7 +12,8 @@ namespace havs {
 inline constexpr const char* kAutoLookup = "auto";
 
 /// What is asked for. Names refer to the tables: renderDevices() (render/devices.h), visibilityMethods()
-/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h), instructionSets() (render/native/instruction_sets.h),
+/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h),
+/// instructionSets() (render/native/instruction_sets.h),
 /// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
@@ -32,12 +33,12 @@ struct Scene {
   int k = 6;
   bool kAuto = false;  ///< the smallest k without a misordered fragment instead of `k` (render/k_search.h)
   std::string lookup = "3d-normalised";  ///< or kAutoLookup
-  std::optional<int> tableSize;         ///< of the lookup's table; empty: its own (tableSizeOf in render/plan.h)
-  std::string tableFormat = "rgba32f";  ///< or rgba8
-  std::string targetFormat = "32f";     ///< numbers of the k-buffer's render targets; or 16f
-  double earlyTermination = 0;          ///< opacity at which a pixel is done; 0: never
-  bool certificate = false;             ///< count misordered fragments (design: the order certificate)
-  bool compositeLate = false;           ///< late fragments are composited (the paper) instead of dropped
+  std::optional<int> tableSize;          ///< of the lookup's table; empty: its own (tableSizeOf in render/plan.h)
+  std::string tableFormat = "rgba32f";   ///< or rgba8
+  std::string targetFormat = "32f";      ///< numbers of the k-buffer's render targets; or 16f
+  double earlyTermination = 0;           ///< opacity at which a pixel is done; 0: never
+  bool certificate = false;              ///< count misordered fragments (design: the order certificate)
+  bool compositeLate = false;            ///< late fragments are composited (the paper) instead of dropped
   std::optional<Color> background = Color{1, 1, 1};
   std::size_t threads = 0;  ///< 0: all cores
   int repeat = 1;

@@ -127,8 +127,8 @@ class TopologicalSorter final : public FaceSorter {
   std::vector<Index> cells_;               ///< in the order of the last view
   std::vector<FacePieces::Piece> pieces_;  ///< of cells_
   CellSearch search_;
-  /// Sides of the last view were asked of its picture (ViewPoint::sideInPicture): of another picture from the same place
-  /// they may be others.
+  /// Sides of the last view were asked of its picture (ViewPoint::sideInPicture): of another picture from the same
+  /// place they may be others.
   mutable std::atomic<bool> askedPicture_ = false;
   bool isSearched_ = false;               ///< the search of these sides and starts came to its end
   std::vector<std::uint32_t> startKeys_;  ///< one a boundary face

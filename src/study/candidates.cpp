@@ -72,7 +72,8 @@ double costOf(const Scene& scene, const SceneWork& work) {
   const LookupResource* table = tableOf(row);
   const double entries = table != nullptr ? std::pow(tableSizeOf(scene), table->axes) : 0;
   const int k = visibilityMethod(scene.visibility).maximumK > 0 ? scene.k : 0;
-  const double frame = work.fragments * (model.fragment + model.entryOfK * k + lookupCost(model, row, work.knotsInCells));
+  const double frame =
+      work.fragments * (model.fragment + model.entryOfK * k + lookupCost(model, row, work.knotsInCells));
   return kMilliseconds * (model.tableEntry * entries + scene.repeat * frame);
 }
 

@@ -61,8 +61,8 @@ TEST_F(SceneFile, SavedFromACommandLineDrawsTheSame) {
        "16", "--table-format", "rgba8", "--early-termination", "0.75", "--threads", "1"},
       {"--paper", "--device", "native", "--k", "auto", "--tetgen", "pq", "--field", "attribute0"}};
   for (const auto& line : lines) {
-    std::vector<std::string> all{"render", "cube.node", "--size", "40x30", "-o", "a.pfm", "--save-scene",
-                                 "elsewhere/scene.json"};
+    std::vector<std::string> all{"render", "cube.node", "--size",       "40x30",
+                                 "-o",     "a.pfm",     "--save-scene", "elsewhere/scene.json"};
     all.insert(all.end(), line.begin(), line.end());
     havs(all);
     const std::string expected = contentOf(folder / "a.pfm");
@@ -88,7 +88,8 @@ TEST_F(SceneFile, TheCommandLineWinsAndSetComesBeforeIt) {
   EXPECT_EQ(settings({"scene.json", "--set", "background=black"})["settings"]["background"], (Json{0.0, 0.0, 0.0}));
   EXPECT_EQ(settings({"scene.json", "--set", "size=[8, 9]"})["settings"]["size"], (Json{8, 9}));
   const Json turned = settings({"scene.json", "--set", "camera.azimuth=90", "--set", "camera.zoom=2"})["settings"];
-  EXPECT_EQ(turned["camera"], settings({"scene.json", "--camera", R"({"azimuth": 90, "zoom": 2})"})["settings"]["camera"]);
+  EXPECT_EQ(turned["camera"],
+            settings({"scene.json", "--camera", R"({"azimuth": 90, "zoom": 2})"})["settings"]["camera"]);
 }
 
 TEST_F(SceneFile, WrongOnesAreRefused) {

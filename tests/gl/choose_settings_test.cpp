@@ -120,7 +120,8 @@ TEST(Candidates, OnTheNativeDeviceExactIsAsDearAsTheKnotsInCells) {
   scene.device = "native";
   const auto hasNormalised = [&](double knotsInCells) {
     const auto all = candidatesFor(scene, {1e6, knotsInCells});
-    return std::any_of(all.begin(), all.end(), [](const Candidate& one) { return one.scene.lookup == "3d-normalised"; });
+    return std::any_of(all.begin(), all.end(),
+                       [](const Candidate& one) { return one.scene.lookup == "3d-normalised"; });
   };
   EXPECT_FALSE(hasNormalised(0.1));
   EXPECT_TRUE(hasNormalised(70));

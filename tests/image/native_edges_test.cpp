@@ -1,6 +1,6 @@
 // Rays that meet edges, points and planes of the mesh exactly: the native device and the reference share one exact
-// rule, so that even here the same faces are met. Faces seen edge on up to rounding are met anywhere along their length;
-// the order of the faces takes their sides from the same points, so that no fragment comes late.
+// rule, so that even here the same faces are met. Faces seen edge on up to rounding are met anywhere along their
+// length; the order of the faces takes their sides from the same points, so that no fragment comes late.
 #include <algorithm>
 
 #include "image/native_scene.h"
@@ -48,9 +48,7 @@ TEST(NativeEdges, PixelsOnTheDiagonalsOfCells) {
   for (int axis = 0; axis < 3; ++axis) expectTrue({alongAnAxis(8, 8, axis), withSmoothPoints(box(4, Cut::six))});
 }
 
-TEST(NativeEdges, CellsSmallerThanPixels) {
-  expectTrue({alongAnAxis(21, 8, 2), withSmoothPoints(box(16))});
-}
+TEST(NativeEdges, CellsSmallerThanPixels) { expectTrue({alongAnAxis(21, 8, 2), withSmoothPoints(box(16))}); }
 
 /// Two boxes that touch in a plane through the eye.
 TEST(NativeEdges, EyeInThePlaneOfFaces) {

@@ -28,8 +28,7 @@ TileGrid tileGrid(int width, int height, int side) {
   return {side, (width + side - 1) / side, (height + side - 1) / side};
 }
 
-void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, const Faces& faces,
-                         const TileGrid& grid) {
+void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, const Faces& faces, const TileGrid& grid) {
   grid_ = grid;
   pixels_.resize(pointCount);
   parallelFor(0, pointCount, kGrain, [&](std::size_t i) {

@@ -17,9 +17,7 @@ TileKernel kernelOf(int k) {
   }
 }
 
-TileKernel tileKernel(int k, Payload carries) {
-  return carries == Payload::color ? kernelOf<4>(k) : kernelOf<1>(k);
-}
+TileKernel tileKernel(int k, Payload carries) { return carries == Payload::color ? kernelOf<4>(k) : kernelOf<1>(k); }
 
 TileKernel orderedTileKernel(Payload carries) {
   return carries == Payload::color ? drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, 4>, 4>

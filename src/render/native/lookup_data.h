@@ -23,8 +23,8 @@ struct LookupData {
     /// Of a table of at most kSmallTable entries of 4 numbers, read by number: these once more, kSmallTable of each
     /// channel in turn; else null.
     const float* channels = nullptr;
-    std::int32_t size[3]{};         ///< entries along its axes
-    std::int32_t step[3]{};         ///< from an entry to its neighbour along each, in entries; along the last 1
+    std::int32_t size[3]{};  ///< entries along its axes
+    std::int32_t step[3]{};  ///< from an entry to its neighbour along each, in entries; along the last 1
     float number = 0;
   };
   static constexpr int kMostUniforms = 24;

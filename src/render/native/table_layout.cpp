@@ -45,7 +45,8 @@ LaidOutTable layOut(const ResourceTable& table) {
     if (entries <= kSmallTable && table.values.size() == 4 * entries) {
       made.channels = allocate(4 * std::size_t{kSmallTable});
       std::fill_n(made.channels.get(), 4 * std::size_t{kSmallTable}, 0.0f);
-      for (std::size_t i = 0; i < table.values.size(); ++i) made.channels[i % 4 * kSmallTable + i / 4] = table.values[i];
+      for (std::size_t i = 0; i < table.values.size(); ++i)
+        made.channels[i % 4 * kSmallTable + i / 4] = table.values[i];
     }
     return made;
   }

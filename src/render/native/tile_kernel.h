@@ -97,8 +97,7 @@ class EntriesOfPixels {
     done.wrong = bits & Lanes::bitsOf(A::isLate(kbuffer, pixel, incoming));
     done.taken = bits;
     if (done.wrong != 0 && !tile.compositeLate) {
-      pixel.inside =
-          Lanes::select(Lanes::maskOf(done.wrong), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
+      pixel.inside = Lanes::select(Lanes::maskOf(done.wrong), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
       Lanes::store(state_, pixel.inside);
       done.taken &= ~done.wrong;
       if (done.taken == 0) return done;
@@ -111,8 +110,7 @@ class EntriesOfPixels {
     done.segment = A::leave(pixel, front, kbuffer.entry[0]);
     storePixel({Lanes::select(mask, pixel.inside, pixelBefore.inside),
                 Lanes::select(mask, pixel.started, pixelBefore.started)});
-    for (int i = 0; i < K; ++i)
-      Stored::store(entryAt(i), A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
+    for (int i = 0; i < K; ++i) Stored::store(entryAt(i), A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
     return done;
   }
 
@@ -362,8 +360,7 @@ class TileDrawer {
       for (int column = firstColumn; column <= lastColumn; ++column) {
         const int stamp = row * tile_.stampsAcross + column;
         const unsigned active = tile_.active[stamp];
-        const OfFunctions offset =
-            perX * static_cast<float>(tile_.left + column * kStampSide - f.originX[face]) + down;
+        const OfFunctions offset = perX * static_cast<float>(tile_.left + column * kStampSide - f.originX[face]) + down;
         for (int group = 0; group < kGroups; ++group) {
           auto edge = [&](int i) { return inFirst_[i][group] + Real(offset[i]); };
           const Real inside = Lanes::least(Lanes::least(edge(0), edge(1)), edge(2));

@@ -12,7 +12,7 @@ namespace havs {
 
 /// How the tiles of a picture are drawn.
 struct TileSetting {
-  TileKernel kernel = nullptr;       ///< of the plan's k
+  TileKernel kernel = nullptr;   ///< of the plan's k
   TileKernel ordered = nullptr;  ///< tried first; null: none
   int k = 0;
   int attributes = 1;  ///< numbers that a fragment carries
