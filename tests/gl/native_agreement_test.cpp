@@ -5,6 +5,7 @@
 #include "image/compare.h"
 #include "render/devices.h"
 #include "support/gl_test.h"
+#include "support/lookup_names.h"
 
 namespace havs::test {
 namespace {
@@ -68,25 +69,18 @@ TEST_P(NativeAgreement, CellData) {
   EXPECT_LE(static_cast<double>(difference.beyond), 0.05 * static_cast<double>(difference.compared)) << difference;
 }
 
-TEST_P(NativeAgreement, RoundedTables) {
-  if (!scene_.tableSize) GTEST_SKIP() << "no table";
+class NativeAgreementOfTables : public NativeAgreement {};
+
+TEST_P(NativeAgreementOfTables, Rounded) {
   scene_.tableFormat = "rgba8";
   expectSame(pointMesh());
 }
 
-std::vector<std::string> lookupNames() {
-  std::vector<std::string> names;
-  for (const Lookup& row : lookups()) names.push_back(exampleName(row));
-  return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(Lookups, NativeAgreement, testing::ValuesIn(lookupNames()),
-                         [](const testing::TestParamInfo<std::string>& row) {
-                           std::string name = row.param;
-                           for (char& c : name)
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           return name;
-                         });
+                         [](const testing::TestParamInfo<std::string>& row) { return testName(row.param); });
+
+INSTANTIATE_TEST_SUITE_P(Lookups, NativeAgreementOfTables, testing::ValuesIn(namesOfLookupsWithTables()),
+                         [](const testing::TestParamInfo<std::string>& row) { return testName(row.param); });
 
 }  // namespace
 }  // namespace havs::test

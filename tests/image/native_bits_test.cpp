@@ -4,6 +4,7 @@
 #include "image/native_scene.h"
 #include "render/lookups.h"
 #include "render/native/instruction_sets.h"
+#include "support/lookup_names.h"
 #include "support/meshes.h"
 #include "support/temporary_folder.h"
 
@@ -127,19 +128,8 @@ TEST_P(NativeBitsOfLookup, OpaqueSurfaces) {
   expectSameForAllWays({scene, withSmoothPoints(ball(5))});
 }
 
-std::vector<std::string> lookupNames() {
-  std::vector<std::string> names;
-  for (const Lookup& row : lookups()) names.push_back(exampleName(row));
-  return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(Lookups, NativeBitsOfLookup, testing::ValuesIn(lookupNames()),
-                         [](const testing::TestParamInfo<std::string>& row) {
-                           std::string name = row.param;
-                           for (char& c : name)
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           return name;
-                         });
+                         [](const testing::TestParamInfo<std::string>& row) { return testName(row.param); });
 
 }  // namespace
 }  // namespace havs::test

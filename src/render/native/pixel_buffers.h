@@ -1,0 +1,169 @@
+#pragma once
+// What a tile kernel keeps of its pixels between two faces: the k-buffer, or, where the order is believed, the last
+// fragment alone. The arithmetic is that of shaders/core/kbuffer.glsl. Included by tile_kernel.h.
+#include "core/arithmetic.h"
+#include "render/native/simd.h"
+#include "render/native/tile_draw.h"
+
+namespace havs {
+namespace {
+
+template <int kAttributes, class Lanes>
+struct PayloadFor;
+template <class Lanes>
+struct PayloadFor<1, Lanes> {
+  template <class L>
+  using Type = ScalarPayload<L>;
+};
+template <class Lanes>
+struct PayloadFor<4, Lanes> {
+  template <class L>
+  using Type = ColorPayload<L>;
+};
+
+/// What a stamp's pixels keep of a fragment, in floats of kStampPixels lanes each.
+template <class A, class Lanes, int kAttributes>
+struct StoredFragment {
+  static constexpr int kNumbers = 2 + kAttributes;
+
+  static typename A::Fragment load(const float* at) {
+    typename A::Fragment f;
+    f.distance = Lanes::load(at);
+    f.payload.kind = Lanes::load(at + kStampPixels);
+    if constexpr (kAttributes == 1) {
+      f.payload.scalar = Lanes::load(at + 2 * kStampPixels);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) f.payload.color[i] = Lanes::load(at + (2 + i) * kStampPixels);
+    }
+    return f;
+  }
+  static void store(float* at, const typename A::Fragment& f) {
+    Lanes::store(at, f.distance);
+    Lanes::store(at + kStampPixels, f.payload.kind);
+    if constexpr (kAttributes == 1) {
+      Lanes::store(at + 2 * kStampPixels, f.payload.scalar);
+    } else {
+      for (int i = 0; i < kAttributes; ++i) Lanes::store(at + (2 + i) * kStampPixels, f.payload.color[i]);
+    }
+  }
+};
+
+/// What comes of a fragment in each pixel of a group: the segment that has left; pixels where the fragment is `wrong`,
+/// as it should have come earlier; and those where it was taken.
+template <class Segment>
+struct Inserted {
+  Segment segment;
+  unsigned wrong, taken;
+};
+
+/// The k-buffer of a group's pixels.
+template <class Lanes, int K, int kAttributes>
+class EntriesOfPixels {
+ public:
+  using A = Arithmetic<Lanes, K, PayloadFor<kAttributes, Lanes>::template Type>;
+  using Stored = StoredFragment<A, Lanes, kAttributes>;
+  static constexpr bool kFlagsWrong = false;  ///< wrong fragments are late: counted
+  static constexpr int kNumbers = 2 + K * Stored::kNumbers;
+
+  explicit EntriesOfPixels(float* state) : state_(state) {}
+
+  void begin() {
+    storePixel({Real(0.0f), Real(0.0f)});
+    for (int i = 0; i < K; ++i) Stored::store(entryAt(i), A::emptyFragment());
+  }
+
+  Inserted<typename A::Segment> insert(const typename A::Fragment& incoming, unsigned bits, const TileDraw& tile) {
+    typename A::KBuffer kbuffer = entries();
+    typename A::PixelState pixel = loadPixel();
+    Inserted<typename A::Segment> done;
+    done.wrong = bits & Lanes::bitsOf(A::isLate(kbuffer, pixel, incoming));
+    done.taken = bits;
+    if (done.wrong != 0 && !tile.compositeLate) {
+      pixel.inside = Lanes::select(Lanes::maskOf(done.wrong), pixel.inside + A::kindOf(incoming.payload), pixel.inside);
+      Lanes::store(state_, pixel.inside);
+      done.taken &= ~done.wrong;
+      if (done.taken == 0) return done;
+    }
+    const Mask mask = Lanes::maskOf(done.taken);
+    const typename A::KBuffer before = kbuffer;
+    const typename A::PixelState pixelBefore = pixel;
+    typename A::Fragment front;
+    A::insertFragment(kbuffer, incoming, front);
+    done.segment = A::leave(pixel, front, kbuffer.entry[0]);
+    storePixel({Lanes::select(mask, pixel.inside, pixelBefore.inside),
+                Lanes::select(mask, pixel.started, pixelBefore.started)});
+    for (int i = 0; i < K; ++i) Stored::store(entryAt(i), A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
+    return done;
+  }
+
+  /// What is left leaves in order.
+  template <class Take>
+  void finish(const Take& take) {
+    const typename A::KBuffer kbuffer = entries();
+    typename A::PixelState pixel = loadPixel();
+    for (int i = 0; i + 1 < K; ++i) take(A::leave(pixel, kbuffer.entry[i], kbuffer.entry[i + 1]));
+  }
+
+ private:
+  using Real = typename Lanes::Real;
+  using Mask = typename Lanes::Mask;
+
+  float* entryAt(int i) const { return state_ + (2 + i * Stored::kNumbers) * kStampPixels; }
+  typename A::KBuffer entries() const {
+    typename A::KBuffer kbuffer;
+    for (int i = 0; i < K; ++i) kbuffer.entry[i] = Stored::load(entryAt(i));
+    return kbuffer;
+  }
+  typename A::PixelState loadPixel() const {
+    typename A::PixelState pixel;
+    pixel.inside = Lanes::load(state_);
+    pixel.started = Lanes::load(state_ + kStampPixels);
+    return pixel;
+  }
+  void storePixel(const typename A::PixelState& pixel) {
+    Lanes::store(state_, pixel.inside);
+    Lanes::store(state_ + kStampPixels, pixel.started);
+  }
+
+  float* state_;
+};
+
+/// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, and its pixel
+/// flagged; in all others every k gives the same segments, to the last bit. With cell data the order is believed where
+/// distances differ by their rounding only (TileDraw::sameDistance).
+template <class Lanes, int kAttributes>
+class LastOfPixels {
+ public:
+  using A = Arithmetic<Lanes, 1, PayloadFor<kAttributes, Lanes>::template Type>;
+  using Stored = StoredFragment<A, Lanes, kAttributes>;
+  static constexpr bool kFlagsWrong = true;
+  static constexpr int kNumbers = Stored::kNumbers;
+
+  explicit LastOfPixels(float* state) : state_(state) {}
+
+  void begin() { Stored::store(state_, A::emptyFragment()); }
+
+  Inserted<typename A::Segment> insert(typename A::Fragment incoming, unsigned bits, const TileDraw& tile) {
+    // Kept with a fragment is not its kind but the inside-count behind it, which leave() then gives back.
+    const typename A::Fragment last = Stored::load(state_);
+    Inserted<typename A::Segment> done;
+    done.wrong = bits & Lanes::bitsOf(incoming.distance < last.distance - Real(tile.sameDistance));
+    incoming.distance = Lanes::most(incoming.distance, last.distance);
+    done.taken = bits & ~done.wrong;
+    incoming.payload.kind = last.payload.kind + incoming.payload.kind;
+    typename A::PixelState outside{Real(0.0f), Real(0.0f)};
+    done.segment = A::leave(outside, last, incoming);
+    Stored::store(state_, A::selectFragment(Lanes::maskOf(done.taken), incoming, last));
+    return done;
+  }
+
+  template <class Take>
+  void finish(const Take&) {}
+
+ private:
+  using Real = typename Lanes::Real;
+  float* state_;
+};
+
+}  // namespace
+}  // namespace havs
