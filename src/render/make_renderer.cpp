@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gl/limits.h"
+#include "reference/reference_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
 
@@ -26,6 +27,10 @@ std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const Rend
                                        const Progress& progress) {
   const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
   return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.certificate, stages, make) : make(prepared);
+}
+
+std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
+  return makeReferenceRenderer(prepared, mode(scene.mode).reference);
 }
 
 }  // namespace havs
