@@ -1,6 +1,7 @@
 #pragma once
 // Which boundary faces a stretch of a ray may meet: a tree of boxes, four to a box, over the faces in the order of a
 // Morton curve. The tree says "may": it leaves out no face, the caller tests exactly.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -53,18 +54,19 @@ void BoundaryTree::visitNear(const Vec3& from, const Vec3& to, const Visit& visi
   };
   std::array<Entry, 64> stack;  // at most 3 a level beyond the first, of 16 levels
   std::size_t count = 0;
-  stack[count++] = {levels_.size() - 1, 0};
+  const std::size_t top = levels_.size() - 1;
+  if (meets(levels_[top][0])) stack[count++] = {top, 0};
   while (count > 0) {
     const auto [level, box] = stack[--count];
-    if (!meets(levels_[level][box])) continue;
     const std::size_t first = box * kWidth;
     if (level == 0) {
       for (std::size_t i = first; i < std::min(first + kWidth, faces_.size()); ++i)
         if (!visit(faces_[i])) return;
       continue;
     }
-    for (std::size_t i = std::min(first + kWidth, levels_[level - 1].size()); i-- > first;)
-      stack[count++] = {level - 1, i};
+    const std::vector<Box>& below = levels_[level - 1];
+    for (std::size_t i = std::min(first + kWidth, below.size()); i-- > first;)
+      if (meets(below[i])) stack[count++] = {level - 1, i};
   }
 }
 

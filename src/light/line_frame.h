@@ -12,9 +12,16 @@ namespace havs {
 
 /// A point of the mesh as a ray sees it: across the ray, and along it.
 struct LinePoint {
-  double x, y;   ///< across
-  double along;  ///< distance from the ray's start
+  double x, y;    ///< across
+  double along;   ///< distance from the ray's start
+  double scalar;  ///< of point data
   Index point;
+};
+
+/// A point of the mesh with its scalar (0 of cell data): what a ray reads of it lies in one place.
+struct Node {
+  Vec3 position;
+  double scalar;
 };
 
 /// On which side of the edge from a to b the ray passes.
@@ -50,9 +57,9 @@ class LineFrame {
 
   const Vec3& start() const { return start_; }
   const Vec3& direction() const { return direction_; }
-  LinePoint see(const Vec3& position, Index point) const {
-    const Vec3 r = position - start_;
-    return {flushed(dot(x_, r)), flushed(dot(y_, r)), dot(direction_, r), point};
+  LinePoint see(const Node& node, Index point) const {
+    const Vec3 r = node.position - start_;
+    return {flushed(dot(x_, r)), flushed(dot(y_, r)), dot(direction_, r), node.scalar, point};
   }
 
  private:

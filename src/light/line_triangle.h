@@ -22,30 +22,34 @@ struct LineTriangle {
     return true;
   }
 
-  /// The mean of the corners' values of something where the ray meets the triangle: between the least and greatest.
-  double mean(double a, double b, double c) const {
+  /// The corners' shares in the point where the ray meets the triangle: at least 0, they add up to 1.
+  std::array<double, 3> shares() const {
     const double sum = share[0] + share[1] + share[2];
-    if (!(sum > 0)) return (a + b + c) / 3;
-    return (share[0] * a + share[1] * b + share[2] * c) / sum;
+    if (!(sum > 0)) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    const double scale = 1 / sum;
+    return {share[0] * scale, share[1] * scale, share[2] * scale};
   }
-  double along() const { return mean(corner[0].along, corner[1].along, corner[2].along); }
 
   /// The ray entered a cell through this triangle; the cell's other corner is `apex`. Turns into the triangle that it
   /// leaves the cell through and returns the corner that this lacks; kNoIndex where there is none, which cannot be:
   /// round the four corners the signs of the sides are those of points of a plane about another (header).
   Index passCell(const LinePoint& apex) {
-    std::array<LineSide, 3> side;
-    for (std::size_t i = 0; i < 3; ++i) side[i] = sideOf(corner[i], apex);
-    for (std::size_t dropped = 0; dropped < 3; ++dropped) {
-      const std::size_t i = (dropped + 1) % 3, j = (dropped + 2) % 3;
-      if (side[i].sign >= 0 || side[j].sign <= 0) continue;
-      const Index left = corner[dropped].point;
-      corner[dropped] = apex;
-      share[i] = side[j].value;
-      share[j] = -side[i].value;
-      return left;
-    }
+    const LineSide first = sideOf(corner[0], apex), second = sideOf(corner[1], apex);
+    if (first.sign < 0 && second.sign > 0) return replace(2, first, second, apex);
+    const LineSide third = sideOf(corner[2], apex);
+    if (second.sign < 0 && third.sign > 0) return replace(0, second, third, apex);
+    if (third.sign < 0 && first.sign > 0) return replace(1, third, first, apex);
     return kNoIndex;
+  }
+
+ private:
+  /// `next` and `last`: the sides of the edges from the two corners after `dropped` to the apex.
+  Index replace(std::size_t dropped, const LineSide& next, const LineSide& last, const LinePoint& apex) {
+    const Index passed = corner[dropped].point;
+    corner[dropped] = apex;
+    share[(dropped + 1) % 3] = last.value;
+    share[(dropped + 2) % 3] = -next.value;
+    return passed;
   }
 };
 

@@ -16,15 +16,25 @@ constexpr double kTouch = 1e-6;
 /// Optical depth from which exp(-depth) is 0.
 constexpr double kDark = 746;
 
-Neighbours neighboursOf(const Faces& faces) {
-  Neighbours neighbours(faces.ofCell.size());
-  parallelFor(0, neighbours.size(), kGrain, [&](std::size_t c) {
+std::vector<Node> nodesOf(const Medium& medium) {
+  std::vector<Node> nodes(medium.points.size());
+  parallelFor(0, nodes.size(), kGrain, [&](std::size_t p) {
+    nodes[p] = {medium.points[p], medium.cellData ? 0 : medium.scalars[p]};
+  });
+  return nodes;
+}
+
+std::vector<LinkedCell> linkedCells(const Medium& medium) {
+  const Faces& faces = medium.faces;
+  std::vector<LinkedCell> cells(medium.cells.size());
+  parallelFor(0, cells.size(), kGrain, [&](std::size_t c) {
+    cells[c].points = medium.cells[c];
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& [first, second] = faces.cells[faces.ofCell[c][i]];
-      neighbours[c][i] = first == c ? second : first;
+      cells[c].across[i] = first == c ? second : first;
     }
   });
-  return neighbours;
+  return cells;
 }
 
 /// The part of a stretch inside one cell that lies from `from` to `to`. Its length may be negative: where rounding puts
@@ -88,15 +98,18 @@ struct BallSums {
 MeshTracer::MeshTracer(const Medium& medium)
     : medium_(medium),
       extinction_(medium.curve),
-      neighbours_(neighboursOf(medium.faces)),
+      nodes_(nodesOf(medium)),
+      cells_(linkedCells(medium)),
       around_(medium.points.size(), medium.cells),
       boundary_(medium.points, medium.faces) {}
 
 /// Where a ray leaves or enters `cell` through a triangle.
 MeshTracer::Crossing MeshTracer::crossing(const LineTriangle& triangle, Index cell) const {
-  if (medium_.cellData) return {triangle.along(), medium_.scalars[cell]};
-  const auto scalar = [&](std::size_t i) { return medium_.scalars[triangle.corner[i].point]; };
-  return {triangle.along(), triangle.mean(scalar(0), scalar(1), scalar(2))};
+  const auto [a, b, c] = triangle.shares();
+  const auto& [p, q, r] = triangle.corner;
+  const double along = a * p.along + b * q.along + c * r.along;
+  if (medium_.cellData) return {along, medium_.scalars[cell]};
+  return {along, a * p.scalar + b * q.scalar + c * r.scalar};
 }
 
 /// Follows the ray from cell to cell, from where it enters `cell` through `triangle` at `at`, and adds what lies inside
@@ -109,9 +122,9 @@ MeshTracer::Ended MeshTracer::walk(const LineFrame& line, LineTriangle& triangle
   const auto& corner = triangle.corner;
   while (cell != kNoIndex) {
     if (cell == start) return Ended::atStart;
-    const Tetrahedron& v = medium_.cells[cell];
+    const auto& [v, across] = cells_[cell];
     const Index apex = v[0] ^ v[1] ^ v[2] ^ v[3] ^ corner[0].point ^ corner[1].point ^ corner[2].point;
-    const Index passed = triangle.passCell(line.see(medium_.points[apex], apex));
+    const Index passed = triangle.passCell(line.see(nodes_[apex], apex));
     if (passed == kNoIndex) return Ended::outside;
     const Crossing next = crossing(triangle, cell);
     if (medium_.cellData) at.scalar = next.scalar;
@@ -119,19 +132,19 @@ MeshTracer::Ended MeshTracer::walk(const LineFrame& line, LineTriangle& triangle
     if (!part.empty() && !sums.add(part)) return Ended::early;
     if (next.along >= sums.to) return Ended::early;
     at = next;
-    cell = neighbours_[cell][v[0] == passed ? 0 : v[1] == passed ? 1 : v[2] == passed ? 2 : 3];
+    cell = across[v[0] == passed ? 0 : v[1] == passed ? 1 : v[2] == passed ? 2 : 3];
   }
   return Ended::outside;
 }
 
 template <class Sums>
 void MeshTracer::trace(Star& star, const Vec3& direction, Sums& sums) const {
-  const LineFrame line(star.position(), direction, star.inward());
+  const LineFrame line(star.node().position, direction, star.inward());
   Star::Exit first = star.leave(line);
   double left = 0;
   if (first.cell != kNoIndex) {
     Crossing at = crossing(first.triangle, first.cell);
-    const Crossing start{0, medium_.cellData ? at.scalar : medium_.scalars[star.point()]};
+    const Crossing start{0, medium_.cellData ? at.scalar : star.node().scalar};
     const Part part(start, at, sums.from, sums.to);
     if (!part.empty() && !sums.add(part)) return;
     if (at.along >= sums.to) return;
@@ -144,7 +157,7 @@ void MeshTracer::trace(Star& star, const Vec3& direction, Sums& sums) const {
   const auto place = [&](double along) { return line.start() + along * direction; };
   boundary_.visitNear(place(left - kTouch), place(last), [&](Index face) {
     const auto [a, b, c] = medium_.faces.vertices[face];
-    const auto see = [&](Index p) { return line.see(medium_.points[p], p); };
+    const auto see = [&](Index p) { return line.see(nodes_[p], p); };
     LineTriangle triangle{{see(a), see(c), see(b)}, {}};  // the ray goes in where the normal goes out
     if (!triangle.isHit()) return true;
     const Index cell = medium_.faces.cells[face][0];
@@ -156,10 +169,7 @@ void MeshTracer::trace(Star& star, const Vec3& direction, Sums& sums) const {
   });
 }
 
-void PointRays::startAt(Index point) {
-  const Medium& medium = tracer_.medium_;
-  star_.gather(point, tracer_.around_.of(point), medium.points, medium.cells, tracer_.neighbours_);
-}
+void PointRays::startAt(Index point) { star_.gather(point, tracer_.around_.of(point), tracer_.nodes_, tracer_.cells_); }
 
 double PointRays::opticalDepth(const Vec3& direction, double from, double to) {
   if (!(from < to)) return 0;

@@ -27,6 +27,7 @@ class MeshTracer {
   explicit MeshTracer(const Medium& medium);
 
   const Medium& medium() const { return medium_; }
+  const PointCells& cellsAround() const { return around_; }
 
  private:
   friend class PointRays;
@@ -42,7 +43,8 @@ class MeshTracer {
 
   Medium medium_;
   ExtinctionIntegral extinction_;
-  Neighbours neighbours_;
+  std::vector<Node> nodes_;
+  std::vector<LinkedCell> cells_;
   PointCells around_;
   BoundaryTree boundary_;
 };

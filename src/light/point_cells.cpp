@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -28,6 +29,15 @@ PointCells::PointCells(std::size_t points, std::span<const Tetrahedron> cells) :
     std::sort(cells_.begin() + static_cast<std::ptrdiff_t>(first_[p]),
               cells_.begin() + static_cast<std::ptrdiff_t>(first_[p + 1]));
   });
+}
+
+std::vector<std::uint8_t> pointsOfCells(const PointCells& around, std::span<const std::uint8_t> shown) {
+  std::vector<std::uint8_t> mask(around.size());
+  parallelFor(0, mask.size(), kGrain, [&](std::size_t p) {
+    const auto cells = around.of(p);
+    mask[p] = std::any_of(cells.begin(), cells.end(), [&](Index c) { return shown[c] != 0; }) ? 1 : 0;
+  });
+  return mask;
 }
 
 }  // namespace havs

@@ -8,18 +8,20 @@
 
 namespace havs {
 
-/// For each cell, the cell across the face opposite to each of its vertices; kNoIndex where that is boundary.
-using Neighbours = std::vector<std::array<Index, 4>>;
+/// A cell with the cell across the face opposite to each of its vertices; kNoIndex where that is boundary.
+struct LinkedCell {
+  Tetrahedron points;
+  std::array<Index, 4> across;
+};
 
 /// The cells around a point, as rays that start there see them. Can be used again for another point.
 class Star {
  public:
   /// `around`: the cells that have `point`.
-  void gather(Index point, std::span<const Index> around, std::span<const Vec3> points,
-              std::span<const Tetrahedron> cells, const Neighbours& neighbours);
+  void gather(Index point, std::span<const Index> around, std::span<const Node> nodes,
+              std::span<const LinkedCell> cells);
 
-  Index point() const { return point_; }
-  const Vec3& position() const { return position_; }
+  const Node& node() const { return node_; }
   /// Into the mesh: against the sum of the normals, as long as the areas, of the boundary faces at the point; 0 inside.
   const Vec3& inward() const { return inward_; }
 
@@ -37,14 +39,14 @@ class Star {
     std::array<std::uint32_t, 3> corner;  ///< places in rim_, turning right-handed seen from the point
     Index cell, next;
   };
-  std::uint32_t rimPlace(Index point, const Vec3& position);
+  std::uint32_t rimPlace(Index point, const Node& node);
 
-  Index point_ = kNoIndex;
-  Vec3 position_{0}, inward_{0};
+  Node node_{};
+  Vec3 inward_{0};
   std::vector<Link> links_;  ///< the faces opposite to the point
   struct RimPoint {
     Index point;
-    Vec3 position;
+    Node node;
   };
   std::vector<RimPoint> rim_;
   std::vector<LinePoint> seen_;

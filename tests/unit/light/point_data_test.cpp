@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/parallel.h"
 #include "light/ambient_scattering.h"
 #include "light/point_gradients.h"
@@ -16,6 +18,20 @@ TEST(PointCells, AreThoseThatHaveThePoint) {
     for (const Index v : mesh.tetrahedra[c]) expected[v].push_back(static_cast<Index>(c));
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
     EXPECT_EQ(std::vector<Index>(around.of(p).begin(), around.of(p).end()), expected[p]);
+}
+
+TEST(PointCells, PointsOfSomeCells) {
+  const TetMesh mesh = box(2);
+  const PointCells around(mesh.points.size(), mesh.tetrahedra);
+  std::vector<std::uint8_t> shown(mesh.tetrahedra.size(), 0);
+  shown[7] = shown[30] = 1;
+  const std::vector<std::uint8_t> mask = pointsOfCells(around, shown);
+  for (std::size_t p = 0; p < mask.size(); ++p) {
+    const auto has = [&](std::size_t c) {
+      return std::count(mesh.tetrahedra[c].begin(), mesh.tetrahedra[c].end(), p) > 0;
+    };
+    EXPECT_EQ(mask[p], has(7) || has(30) ? 1 : 0);
+  }
 }
 
 // Everything that is computed for points, with one thread and with two: the same bits.
