@@ -108,10 +108,12 @@ struct Arithmetic {
 #include "core/limits.glsl"
 #include "core/opaque.glsl"
 // what uses the types of the above
+#include "core/cell_exit.glsl"
 #include "core/integration.glsl"
 // what uses the types of that
 #include "core/exact.glsl"
 #include "core/integral_functions.glsl"
+#include "core/piecewise.glsl"
 #include "core/riemann.glsl"
 };
 

@@ -24,9 +24,8 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
-  const auto& row = plan.native ? plan.visibility.native : plan.visibility.gl;
-  return rendererOfVisiblePart(prepared, plan.certificate, stages,
-                               [&](const PreparedScene& drawn) { return row.make(drawn, plan, stages, progress); });
+  const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
+  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.certificate, stages, make) : make(prepared);
 }
 
 }  // namespace havs
