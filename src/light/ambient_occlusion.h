@@ -12,7 +12,7 @@ struct BallSetting {
 };
 
 /// Ambient occlusion at each point, 0 to 1: the mean over the directions of exp(-optical depth over the radius);
-/// outside the mesh nothing occludes (design after Hernell, Ljung, Ynnerman 2010, Local Ambient Occlusion in Direct
+/// outside the mesh nothing occludes (after Hernell, Ljung, Ynnerman 2010, Local Ambient Occlusion in Direct
 /// Volume Rendering). 1 at points that are not in the mask. Throws Error{input} for settings out of range. Parallel;
 /// the result does not depend on the number of threads.
 std::vector<double> ambientOcclusion(const MeshTracer& tracer, const BallSetting& setting = {}, PointMask mask = {});

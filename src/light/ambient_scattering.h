@@ -27,7 +27,7 @@ struct ViewRays {
   Vec3 at(const Vec3& point) const;
 };
 
-/// The light that each point sends towards the eye for the sake of scattering around it (design section 7):
+/// The light that each point sends towards the eye for the sake of scattering around it (docs/08-effects-data.md):
 ///   J = sum over lights of intensity * transmittance * sum over n of albedo^n P_n(tau, g, cos theta),
 /// theta between the view ray, which goes away from the eye, and the direction towards the light; per steradian. 0 at
 /// points that are not in the mask. To be computed anew for each view; parallel, the result does not depend on the

@@ -1,6 +1,7 @@
 #include "light/point_gradients.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/parallel.h"
 #include "mesh/face_matching.h"

@@ -1,5 +1,8 @@
 #include "light/shadows.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.h"
 #include "light/each_point.h"
 

@@ -23,8 +23,9 @@ struct Light {
 
 /// Transmittance from each point towards the light, 0 to 1, of what lies farther than `from` (local units) from the
 /// point, and of a point light nearer than the light: exp(-optical depth), 0 where there is an opaque surface. The
-/// shadow of design and docs is that from 0 on. 1 at points that are not in the mask. Throws Error{input} for a light
-/// without direction and numbers that are not finite. Parallel; the result does not depend on the number of threads.
+/// shadow of lighting (docs/08-effects-data.md) is that from 0 on. 1 at points that are not in the mask. Throws
+/// Error{input} for a light without direction and numbers that are not finite. Parallel; the result does not depend on
+/// the number of threads.
 std::vector<double> shadows(const MeshTracer& tracer, const Light& light, PointMask mask = {}, double from = 0);
 
 }  // namespace havs
