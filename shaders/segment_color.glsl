@@ -2,10 +2,32 @@
 // surface.
 #include "core/compositing.glsl"
 #include "lookup.glsl"  // the lookup of the plan: a file of lookup/, or of measure/
+#ifdef HAVS_LIT
+#include "lit.glsl"
+#else
+Rgba lookUpLit(Segment segment) { return lookUp(segment); }
+Real lightAt(Segment segment, Real share) { return Real(1.0); }
+Payload payloadAt(Segment segment, Real share) { return segment.back; }
+#endif
+
+// The segment up to `part` of its way.
+Segment upTo(Segment segment, Real part) {
+  Segment first = segment;
+  first.scalarBack = (Real(1.0) - part) * segment.scalarFront + part * segment.scalarBack;
+  first.length = segment.length * part;
+  if (lit) first.back = payloadAt(segment, part);
+  return first;
+}
+
+Rgba lookUpInLight(Segment segment) {
+  if (lit) return lookUpLit(segment);
+  return lookUp(segment);
+}
+
 #if defined(HAVS_OPAQUE_SURFACES) && !defined(HAVS_MEASURES_SURFACES)
 #include "opaque_surfaces.glsl"
 #else
-Rgba lookUpToOpaque(Segment segment) { return lookUp(segment); }
+Rgba lookUpToOpaque(Segment segment) { return lookUpInLight(segment); }
 #endif
 
 Rgba segmentColor(Segment segment) {
@@ -20,7 +42,7 @@ Rgba segmentColor(Segment segment) {
   if (opaqueSurfaces) {
     color = lookUpToOpaque(segment);
   } else {
-    color = lookUp(segment);
+    color = lookUpInLight(segment);
   }
   Rgba nothing = Rgba(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
   return selectColor(segment.visible, color, nothing);

@@ -55,4 +55,9 @@ const bool opaqueSurfaces = true;
 #else
 const bool opaqueSurfaces = false;
 #endif
+#ifdef HAVS_LIT
+const bool lit = true;
+#else
+const bool lit = false;
+#endif
 #define lookupNumber HAVS_LOOKUP_NUMBER

@@ -32,6 +32,7 @@ struct PreparedScene {
   bool clearCells = false;               ///< scene/visible_part.h
   std::vector<double> scalars;           ///< normalised to the domain, [0, 1]; one a point or one a cell
   const PreparedScene* whole = nullptr;  ///< of which this is the part that shows anything (scene/visible_part.h)
+  std::vector<Index> pointsInWhole;      ///< then, the number there of each point; ascending
   std::vector<Index> facesInWhole;       ///< then, the number there of each of `faces`; ascending
 
   SceneFacts facts() const;

@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "scene/camera.h"
+#include "scene/lighting.h"
 
 namespace havs {
 
@@ -26,7 +28,13 @@ struct Scene {
   int width = 1024;
   int height = 1024;
   Camera camera;
-  std::string mode = "volume";  ///< what a pixel shows: row of modes() (render/modes.h)
+  std::string mode = "volume";                  ///< what a pixel shows: row of modes() (render/modes.h)
+  std::optional<Lighting> lighting;             ///< by the gradient; empty: colours as they are
+  std::vector<SceneLight> lights;               ///< kMostLights at most; none: a head light where light is needed
+  bool shadows = false;                         ///< lights are dimmed by what they go through; implies lighting
+  std::optional<AmbientOcclusion> occlusion;    ///< dims the ambient light; implies lighting
+  std::optional<AmbientScattering> scattering;  ///< adds light that is scattered on the way
+  double modulation = 0;  ///< 0 to 1: extinction times 1 - modulation + modulation * |gradient| / its largest
   std::string device = "osmesa";
   std::string instructionSet;  ///< of the native device; empty: the widest that the processor has
   std::string visibility = "kbuffer";

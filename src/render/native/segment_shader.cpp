@@ -62,7 +62,8 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
     addNumber(lookup, "mostExtinction", static_cast<float>(prepared.curve.maximumKappa));
   lookup.lookupNumber = plan.lookup.number;
   lookup.cellData = plan.cellData;
-  lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries == Payload::scalar;
+  lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries != Payload::color;
+  lookup.lit = plan.lookup.carries == Payload::lit;
 }
 
 SegmentShader::SegmentShader(SegmentShader&& other) noexcept = default;
