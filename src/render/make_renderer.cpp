@@ -3,10 +3,21 @@
 #include <algorithm>
 
 #include "gl/limits.h"
+#include "render/eye_cut_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
 
 namespace havs {
+namespace {
+
+std::unique_ptr<Renderer> makePartRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                           const Progress& progress) {
+  const auto& row = plan.native ? plan.visibility.native : plan.visibility.gl;
+  return rendererOfVisiblePart(prepared, plan.certificate, stages,
+                               [&](const PreparedScene& drawn) { return row.make(drawn, plan, stages, progress); });
+}
+
+}  // namespace
 
 Capabilities capabilitiesOf(const Device& device) {
   const Limits limit = limits();
@@ -24,9 +35,7 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
-  const auto& row = plan.native ? plan.visibility.native : plan.visibility.gl;
-  return rendererOfVisiblePart(prepared, plan.certificate, stages,
-                               [&](const PreparedScene& drawn) { return row.make(drawn, plan, stages, progress); });
+  return rendererForAnyEye(prepared, plan, stages, progress, makePartRenderer);
 }
 
 }  // namespace havs

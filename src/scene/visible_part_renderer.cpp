@@ -52,9 +52,10 @@ std::unique_ptr<Renderer> rendererOfVisiblePart(
     const ScopedStage timer(stages, "visible");
     if (auto visible = visiblePart(prepared)) part = std::make_unique<PreparedScene>(std::move(*visible));
   }
-  if (!part) return make(prepared);
-  if (part->mesh.tetrahedra.empty()) return std::make_unique<NothingRenderer>(certificate);
-  auto renderer = make(*part);
+  const PreparedScene& drawn = part ? *part : prepared;
+  if (drawn.mesh.tetrahedra.empty()) return std::make_unique<NothingRenderer>(certificate);
+  auto renderer = make(drawn);
+  if (!part) return renderer;
   return std::make_unique<PartRenderer>(std::move(part), std::move(renderer));
 }
 

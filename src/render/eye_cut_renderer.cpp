@@ -1,0 +1,71 @@
+#include "render/eye_cut_renderer.h"
+
+#include <optional>
+
+#include "render/changes_k.h"
+#include "scene/eye_cut.h"
+
+namespace havs {
+namespace {
+
+/// Where a mesh is cut.
+struct Cut {
+  Vec3 eye, forward;
+  bool operator==(const Cut&) const = default;
+};
+
+class AnyEyeRenderer final : public Renderer, public ChangesK {
+ public:
+  AnyEyeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress,
+                 RendererMaker make)
+      : prepared_(prepared), plan_(plan), make_(std::move(make)) {
+    renderer_ = make_(prepared_, plan_, stages, progress);
+  }
+
+  Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
+    if (cutFor(view, stages) || !renderer_) renderer_ = make_(drawn(), plan_, stages, progress);
+    Drawing drawing = renderer_->draw(view, stages, progress);
+    if (part_ && !drawing.drawnCells) drawing.drawnCells = part_->mesh.tetrahedra.size();
+    return drawing;
+  }
+
+  void changeK(const RenderPlan& plan) override {
+    plan_ = plan;
+    if (auto* same = dynamic_cast<ChangesK*>(renderer_.get())) return same->changeK(plan);
+    renderer_.reset();
+  }
+
+ private:
+  const PreparedScene& drawn() const { return part_ ? *part_ : prepared_; }
+
+  /// Cuts the mesh as the view needs it. Whether that is another mesh than before.
+  bool cutFor(const View& view, StageTimes& stages) {
+    std::optional<ScopedStage> timer;
+    if (eyeIsNear(view)) timer.emplace(stages, "eye_cut");
+    std::optional<Cut> cut;
+    if (needsEyeCut(prepared_, view)) cut = Cut{view.eye, view.forward};
+    if (cut == cut_) return false;
+    renderer_.reset();  // before what it draws, and its memory before the next one's
+    part_.reset();
+    cut_.reset();
+    if (cut) part_ = std::make_unique<PreparedScene>(cutBeforeEye(prepared_, view));
+    cut_ = cut;
+    return true;
+  }
+
+  const PreparedScene& prepared_;
+  RenderPlan plan_;
+  RendererMaker make_;
+  std::unique_ptr<PreparedScene> part_;  // drawn instead of all, where there is one
+  std::unique_ptr<Renderer> renderer_;
+  std::optional<Cut> cut_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> rendererForAnyEye(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                            const Progress& progress, RendererMaker make) {
+  return std::make_unique<AnyEyeRenderer>(prepared, plan, stages, progress, std::move(make));
+}
+
+}  // namespace havs
