@@ -18,7 +18,10 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
  public:
   AnyEyeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress,
                  RendererMaker make)
-      : prepared_(prepared), plan_(plan), make_(std::move(make)) {
+      : prepared_(prepared),
+        plan_(plan),
+        make_(std::move(make)),
+        distance_(plan.native ? kEyeCutInDouble : kEyeCutInFloat) {
     renderer_ = make_(prepared_, plan_, stages, progress);
   }
 
@@ -41,14 +44,14 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   /// Cuts the mesh as the view needs it. Whether that is another mesh than before.
   bool cutFor(const View& view, StageTimes& stages) {
     std::optional<ScopedStage> timer;
-    if (eyeIsNear(view)) timer.emplace(stages, "eye_cut");
+    if (eyeIsNear(view, distance_)) timer.emplace(stages, "eye_cut");
     std::optional<Cut> cut;
-    if (needsEyeCut(prepared_, view)) cut = Cut{view.eye, view.forward};
+    if (needsEyeCut(prepared_, view, distance_)) cut = Cut{view.eye, view.forward};
     if (cut == cut_) return false;
     renderer_.reset();  // before what it draws, and its memory before the next one's
     part_.reset();
     cut_.reset();
-    if (cut) part_ = std::make_unique<PreparedScene>(cutBeforeEye(prepared_, view));
+    if (cut) part_ = std::make_unique<PreparedScene>(cutBeforeEye(prepared_, view, distance_));
     cut_ = cut;
     return true;
   }
@@ -56,6 +59,7 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   const PreparedScene& prepared_;
   RenderPlan plan_;
   RendererMaker make_;
+  double distance_;                      // of the cut from the eye
   std::unique_ptr<PreparedScene> part_;  // drawn instead of all, where there is one
   std::unique_ptr<Renderer> renderer_;
   std::optional<Cut> cut_;

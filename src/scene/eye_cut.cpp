@@ -3,33 +3,31 @@
 // little before the eye.
 #include "scene/eye_cut.h"
 
-#include <array>
-#include <atomic>
 #include <cmath>
 
-#include "core/parallel.h"
 #include "mesh/half_space.h"
 #include "scene/clip_scene.h"
 
 namespace havs {
-
 namespace {
 
-/// Of the rays of the view, where they come to the cut.
-double farthestReach(const View& view) {
-  return kEyeCut * std::sqrt(1 + view.halfWidth * view.halfWidth + view.halfHeight * view.halfHeight);
+/// How far rays have gone, at most, when they come to the cut: those of the picture's corners.
+double longestWay(const View& view, double distance) {
+  return distance * std::sqrt(1 + view.halfWidth * view.halfWidth + view.halfHeight * view.halfHeight);
 }
 
 }  // namespace
 
-bool eyeIsNear(const View& view) { return !view.orthographic && length(view.eye) <= 1 + farthestReach(view); }
-
-bool needsEyeCut(const PreparedScene& prepared, const View& view) {
-  return eyeIsNear(view) && reachesMesh(prepared, view.eye, farthestReach(view));
+bool eyeIsNear(const View& view, double distance) {
+  return !view.orthographic && length(view.eye) <= 1 + longestWay(view, distance);
 }
 
-PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view) {
-  const HalfSpace before{view.forward, dot(view.forward, view.eye) + kEyeCut};
+bool needsEyeCut(const PreparedScene& prepared, const View& view, double distance) {
+  return eyeIsNear(view, distance) && reachesMesh(prepared, view.eye, longestWay(view, distance));
+}
+
+PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view, double distance) {
+  const HalfSpace before{view.forward, dot(view.forward, view.eye) + distance};
   PreparedScene part = cutScene(whole, partInside(whole.mesh.tetrahedra, whole.points, before));
   part.faces = buildFaces(part.mesh);
   return part;
