@@ -1,8 +1,8 @@
 // The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at the first opaque
 // surface.
 #include "core/compositing.glsl"
-#include "lookup.glsl"  // the lookup of the plan: a file of lookup/
-#ifdef HAVS_OPAQUE_SURFACES
+#include "lookup.glsl"  // the lookup of the plan: a file of lookup/, or of measure/
+#if defined(HAVS_OPAQUE_SURFACES) && !defined(HAVS_MEASURES_SURFACES)
 #include "opaque_surfaces.glsl"
 #else
 Rgba lookUpToOpaque(Segment segment) { return lookUp(segment); }

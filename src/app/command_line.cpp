@@ -52,6 +52,7 @@ void runCommandLine(int argc, char** argv) {
   program.require_subcommand(1);
   addRenderCommand(program);
   addReferenceCommand(program);
+  addPlanCommand(program);
   addCompareCommand(program);
   addStudyCommand(program);
   addInfoCommand(program);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/mesh_report.h"
+#include "app/plan_report.h"
 #include "core/memory.h"
 #include "render/certificate_picture.h"
 #include "render/k_search.h"
@@ -42,12 +43,14 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["camera"] = Json::parse(report.camera);
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
-  json["visibility"] = scene.visibility;
+  json["mode"] = scene.mode;
+  const bool ordered = mode(scene.mode).gathering == Gathering::composite;
+  json["visibility"] = ordered ? Json(scene.visibility) : Json();
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
-  json["k"] = method.maximumK > 0 ? Json(report.k) : Json();
+  json["k"] = ordered && method.maximumK > 0 ? Json(report.k) : Json();
   json["k_auto"] = wantsKSearch(scene);
-  json["sort"] = method.needsOrder ? Json(scene.sort) : Json();
-  json["lookup"] = report.reference ? Json() : Json(report.lookup);
+  json["sort"] = ordered && method.needsOrder ? Json(scene.sort) : Json();
+  json["lookup"] = ordered && !report.reference ? Json(report.lookup) : Json();
   json["table"] = report.tableSize > 0 ? Json(report.tableSize) : Json();
   json["table_format"] = scene.tableFormat;
   json["target_format"] = scene.targetFormat;
@@ -61,7 +64,7 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
 /// Without the method's, which the reference does not heed.
 Json settingsOfReference(const Json& all) {
   Json json;
-  for (const char* key : {"transfer_function", "camera", "size", "background", "threads", "repeat"})
+  for (const char* key : {"transfer_function", "camera", "size", "background", "mode", "threads", "repeat"})
     json[key] = all[key];
   return json;
 }
@@ -104,6 +107,7 @@ Json reportAsJson(const Scene& scene, const RenderReport& report, const std::vec
   if (report.certificate) json["certificate"] = certificateAsJson(*report.certificate);
   json["stages_ms"] = stagesAsJson(report);
   json["frame_ms"] = frameMilliseconds(report.stages);
+  if (!report.reference) json["ledger"] = ledgerAsJson(report.plan, report.stages);
   json["cpu_ms"] = report.cpuMilliseconds;
   json["peak_memory_bytes"] = peakMemoryBytes();
   json["defects"] = defectsAsJson(report.defects);
@@ -123,7 +127,12 @@ std::string describeTransfer(const RenderReport& report) {
 }
 
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
-  if (report.reference) return "the reference: every cell of every ray, integrated exactly in double";
+  const Mode& shown = mode(scene.mode);
+  if (report.reference)
+    return fmt::format("{}by the reference: every cell of every ray, exactly in double",
+                       shown.gathering == Gathering::composite ? "" : shown.name + " ");
+  if (shown.gathering != Gathering::composite)
+    return fmt::format("{}, in any order, on {} ({})", shown.name, scene.device, report.renderer);
   const LookupResource* made = tableOf(lookup(report.lookup));
   const std::string table = made ? fmt::format(" ({}^{}, {})", report.tableSize, made->axes, scene.tableFormat) : "";
   const VisibilityMethod& method = visibilityMethod(scene.visibility);

@@ -153,6 +153,7 @@ const std::vector<Key>& keys() {
       {"transfer_function", "--tf", &S::transferFunction, &kTransferFunction},
       {"unit_length", "--unit-length", &S::unitLength},
       {"domain", "--domain", &S::domain, &kRange},
+      {"mode", "--mode", &S::mode},
       {"size", "--size", &S::size, &kSize},
       {"camera", "--camera", &S::camera, &kCamera},
       {"projection", "--projection", &S::projection},

@@ -11,6 +11,7 @@
 #include "core/nearest_name.h"
 #include "render/devices.h"
 #include "render/lookups.h"
+#include "render/modes.h"
 #include "render/native/instruction_sets.h"
 #include "render/plan.h"
 #include "render/visibility.h"
@@ -52,6 +53,8 @@ void addTransferOptions(CLI::App& command, SceneOptions& options) {
 
 void addPictureOptions(CLI::App& command, SceneOptions& options) {
   constexpr const char* kGroup = "Camera and picture";
+  add(command, kGroup, "--mode", options.mode, "NAME",
+      fmt::format("What a pixel shows (default {}):{}", Scene{}.mode, rowsForHelp(modes())));
   add(command, kGroup, "--size", options.size, "WxH",
       fmt::format("Pixels (default {}x{})", Scene{}.width, Scene{}.height));
   add(command, kGroup, "--camera", options.camera, "CAMERA",
@@ -165,6 +168,8 @@ void setK(Scene& scene, const std::string& text) {
 
 /// Whether the native device, the fastest where there is no GPU, draws with the scene's settings.
 bool nativeDraws(const Scene& scene) {
+  const Mode& shown = mode(scene.mode);
+  if (shown.gathering != Gathering::composite) return shown.native.make != nullptr;
   return visibilityMethod(scene.visibility).native.make != nullptr && scene.targetFormat == Scene{}.targetFormat;
 }
 
@@ -216,6 +221,7 @@ Scene makeScene(const SceneOptions& options) {
   if (options.transferFunction) scene.transferFunction = *options.transferFunction;
   scene.unitLength = options.unitLength;
   if (options.domain) scene.domain = parseDomain(*options.domain);
+  if (options.mode) scene.mode = known("--mode", *options.mode, namesOf(modes()));
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
   setCamera(scene, options);

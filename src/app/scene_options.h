@@ -10,7 +10,7 @@ namespace havs {
 /// The options of a scene as typed; unset ones leave the default (or what --paper says).
 struct SceneOptions {
   std::string mesh, plot3dSolution;
-  std::optional<std::string> tetgenSwitches, field, transferFunction, domain, size, camera, background;
+  std::optional<std::string> tetgenSwitches, field, transferFunction, domain, size, camera, background, mode;
   std::optional<std::string> device, instructionSet, visibility, k, sort, lookup, tableFormat, targetFormat;
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;

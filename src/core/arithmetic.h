@@ -108,6 +108,7 @@ struct Arithmetic {
 #include "core/limits.glsl"
 #include "core/opaque.glsl"
 // what uses the types of the above
+#include "core/cell_exit.glsl"
 #include "core/integration.glsl"
 // what uses the types of that
 #include "core/exact.glsl"

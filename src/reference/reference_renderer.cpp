@@ -5,7 +5,7 @@ namespace {
 
 class ReferenceRenderer final : public Renderer {
  public:
-  explicit ReferenceRenderer(const PreparedScene& prepared) : prepared_(prepared) {}
+  ReferenceRenderer(const PreparedScene& prepared, RayFunction function) : prepared_(prepared), function_(function) {}
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     const ScopedStage timer(stages, "draw");
@@ -15,7 +15,7 @@ class ReferenceRenderer final : public Renderer {
     image.height = view.height;
     image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
     const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
-      const RayColor color = rayColor(prepared_.curve, segments);
+      const RayColor color = function_(prepared_.curve, segments);
       for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(color[c]);
     };
     drawing.tiles = visitRays(prepared_, view, visit, {}, progress);
@@ -24,12 +24,13 @@ class ReferenceRenderer final : public Renderer {
 
  private:
   const PreparedScene& prepared_;
+  RayFunction function_;
 };
 
 }  // namespace
 
-std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared) {
-  return std::make_unique<ReferenceRenderer>(prepared);
+std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared, RayFunction function) {
+  return std::make_unique<ReferenceRenderer>(prepared, function);
 }
 
 std::vector<RayColor> referencePixels(const PreparedScene& prepared, const View& view, const ReferenceTiles& tiles) {

@@ -29,7 +29,10 @@ Scene sceneForSearch(const Scene& scene) {
 
 }  // namespace
 
-bool wantsKSearch(const Scene& scene) { return scene.kAuto && visibilityMethod(scene.visibility).maximumK > 0; }
+bool wantsKSearch(const Scene& scene) {
+  return scene.kAuto && mode(scene.mode).gathering == Gathering::composite &&
+         visibilityMethod(scene.visibility).maximumK > 0;
+}
 
 int searchK(const Scene& scene, const PreparedScene& prepared, const View& view, const Capabilities& capabilities,
             const Progress& progress) {

@@ -17,6 +17,8 @@ struct LookupResource {
   int axes = 0;         ///< of a table whose size and number format can be chosen; 0: no such table
   int largestSize = 0;  ///< entries along each axis, 2 at the least
   int ownSize = 0;      ///< of a table for which none is asked
+  /// Entries of a table of that size.
+  std::size_t entries(std::size_t size) const { return axes == 3 ? size * size * size : size * size; }
   /// Makes the tables and numbers (render/lookup_resources.h).
   ResourceData (*make)(const ResourceInput& input) = nullptr;
 };

@@ -12,9 +12,9 @@ namespace {
 
 std::unique_ptr<Renderer> makePartRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                            const Progress& progress) {
-  const auto& row = plan.native ? plan.visibility.native : plan.visibility.gl;
-  return rendererOfVisiblePart(prepared, plan.certificate, stages,
-                               [&](const PreparedScene& drawn) { return row.make(drawn, plan, stages, progress); });
+  const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
+  if (prepared.mesh.tetrahedra.empty()) return rendererOfNothing(plan.certificate);
+  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.certificate, stages, make) : make(prepared);
 }
 
 }  // namespace

@@ -19,15 +19,18 @@ constexpr int kSmallestTable = 2;
 constexpr double kFewKnots = 2;
 
 /// Adds a resource, and its table's size and format where it has one.
-void addResource(RenderPlan& result, const std::string& name, const Scene& scene, const Capabilities& capabilities) {
+void addResource(RenderPlan& result, const std::string& name, const std::string& reason, const Scene& scene,
+                 const Capabilities& capabilities) {
   const LookupResource& resource = lookupResource(name);
   for (const LookupResource& other : result.resources)
     if (other.name == name) return;
   result.resources.push_back(resource);
-  if (resource.axes == 0) return;
+  if (resource.axes == 0) return addItem(result, PlanKind::table, resource.description, "table", reason);
   result.tableFormat = tableFormat(scene.tableFormat);
   result.tableSize = tableSizeOf(scene);
   if (result.tableFormat.filteredInShader) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
+  addItem(result, PlanKind::table, resource.description, "table", reason, result.tableFormat.bytesPerEntry, "entry",
+          resource.entries(static_cast<std::size_t>(result.tableSize)));
   const int most = resource.axes == 3 ? capabilities.maximum3dTextureSize : capabilities.maximumTextureSize;
   if (result.tableSize > most)
     failRunning("a table of " + std::to_string(result.tableSize) + "^" + std::to_string(resource.axes) +
@@ -35,18 +38,21 @@ void addResource(RenderPlan& result, const std::string& name, const Scene& scene
                 "", "choose a smaller one");
 }
 
+/// What segments are looked up in, or measured with.
 void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
-  result.lookup = lookupOf(scene);
   if (result.lookup.number > 0) result.defines.push_back({"HAVS_LOOKUP_NUMBER", std::to_string(result.lookup.number)});
   if (facts.cellData) result.defines.push_back({"HAVS_CELL_DATA", "1"});
   if (result.lookup.carries == Payload::color) {
     result.defines.push_back({"HAVS_COLOR_PAYLOAD", "1"});
     return;  // opaque surfaces are scalars, which such fragments do not know
   }
-  if (facts.opaqueSurfaces) result.defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
-  for (const std::string& name : result.lookup.resources) addResource(result, name, scene, capabilities);
-  if (facts.opaqueSurfaces)
-    for (const char* name : {"curve", "opaque intervals"}) addResource(result, name, scene, capabilities);
+  if (result.opaqueSurfaces) result.defines.push_back({"HAVS_OPAQUE_SURFACES", "1"});
+  for (const std::string& name : result.lookup.resources)
+    addResource(result, name, "the lookup '" + result.lookup.name + "' reads it", scene, capabilities);
+  if (result.opaqueSurfaces)
+    for (const char* name : {"curve", "opaque intervals"})
+      addResource(result, name, "the transfer function reaches opacity 1: segments end at opaque surfaces", scene,
+                  capabilities);
 }
 
 /// The extension among those that the method can use, where it needs one.
@@ -69,7 +75,8 @@ std::string methodsWith(bool VisibilityMethod::*property) {
 }
 
 /// How the method draws on the device.
-const DrawingWay& wayOf(const VisibilityMethod& method, const Capabilities& capabilities) {
+const DrawingWay& wayOf(const Mode& mode, const VisibilityMethod& method, const Capabilities& capabilities) {
+  if (mode.gathering != Gathering::composite) return capabilities.native ? mode.native : mode.gl;
   if (!capabilities.native) return method.gl;
   if (method.native.make == nullptr) {
     std::string names;
@@ -79,6 +86,13 @@ const DrawingWay& wayOf(const VisibilityMethod& method, const Capabilities& capa
               "draw with --visibility " + names + ", or on another device");
   }
   return method.native;
+}
+
+void refuseWhatTheModeLacks(const Scene& scene, const Mode& mode) {
+  if (mode.gathering == Gathering::composite) return;
+  if (scene.earlyTermination > 0)
+    failInput("the mode " + mode.name + " composites nothing that could end pixels early", "--early-termination",
+              "leave it out");
 }
 
 void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method, const Lookup& chosen) {
@@ -92,6 +106,26 @@ void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method
   if (scene.compositeLate && !method.dropsLateFragments)
     failInput("the visibility method " + method.name + " knows no late fragments", "--composite-late",
               "leave it out, or draw with --visibility " + methodsWith(&VisibilityMethod::dropsLateFragments));
+}
+
+/// Cells that show nothing are left out, where the mode does not look at them.
+void planPart(RenderPlan& result, const Mode& shown, const SceneFacts& facts) {
+  result.leavesOutCells = facts.clearCells && !shown.seesClearCells;
+  if (result.leavesOutCells)
+    addItem(result, PlanKind::precomputation, "the cells that show anything", "visible",
+            "the transfer function is clear at every scalar of the others");
+}
+
+/// What brings a pixel's fragments into order.
+void planOrder(RenderPlan& result, const Scene& scene, const Capabilities& capabilities) {
+  result.visibility = visibilityMethod(scene.visibility);
+  if (!result.native) result.ordering = orderingOf(result.visibility, capabilities);
+  result.earlyTermination = scene.earlyTermination;
+  result.compositeLate = scene.compositeLate;
+  if (!result.visibility.needsOrder) return;
+  result.sort = scene.sort;
+  addItem(result, PlanKind::pass, "order of the faces, " + scene.sort, "order",
+          "the visibility method " + result.visibility.name + " takes them near first");
 }
 
 }  // namespace
@@ -135,6 +169,7 @@ void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabi
 void checkScene(const Scene& scene) {
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   const Lookup row = lookupOf(scene);
+  refuseWhatTheModeLacks(scene, mode(scene.mode));
   refuseWhatTheMethodLacks(scene, method, row);
   if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
   sortMethod(scene.sort);
@@ -157,27 +192,50 @@ void checkScene(const Scene& scene) {
     failInput("the domain must be two finite numbers, the smaller first", "", "for example 0,1");
 }
 
+void addItem(RenderPlan& plan, PlanKind kind, const std::string& name, const std::string& stage,
+             const std::string& reason, std::size_t bytesEach, const std::string& of, std::size_t count) {
+  plan.items.push_back({kind, name, reason, stage, count * bytesEach, bytesEach, of});
+}
+
+void addProgram(RenderPlan& plan, const std::string& role, const std::string& vertex, const std::string& fragment,
+                const std::string& reason, const ShaderOptions& options) {
+  plan.programs.push_back({role, vertex, fragment, options});
+  std::string name = vertex.empty() ? fragment : vertex + " + " + fragment;
+  for (const auto& [define, value] : options.defines) name += " " + define + (value.empty() ? "" : "=" + value);
+  addItem(plan, PlanKind::program, name, "", reason);
+}
+
+const PlannedProgram& programOf(const RenderPlan& plan, const std::string& role) {
+  for (const PlannedProgram& program : plan.programs)
+    if (program.role == role) return program;
+  failRunning("the plan has no program '" + role + "'");
+}
+
 RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities& capabilities) {
   checkScene(asked);
   Scene scene = asked;
   if (scene.lookup == kAutoLookup) scene.lookup = lookupFor(facts.knotsInCells);
+  const Mode& shown = mode(scene.mode);
   RenderPlan result;
-  result.visibility = visibilityMethod(scene.visibility);
-  const DrawingWay& way = wayOf(result.visibility, capabilities);
+  result.mode = shown.name;
+  result.gathering = shown.gathering;
+  result.start = shown.start;
+  result.finish = shown.finish;
   result.native = capabilities.native;
-  if (result.native) {
-    result.instructionSet = instructionSet(scene.instructionSet).name;
-  } else {
-    result.ordering = orderingOf(result.visibility, capabilities);
-  }
-  if (result.visibility.needsOrder) result.sort = scene.sort;
-  result.earlyTermination = scene.earlyTermination;
+  if (result.native) result.instructionSet = instructionSet(scene.instructionSet).name;
   result.cellData = facts.cellData;
-  result.opaqueSurfaces = facts.opaqueSurfaces;
+  result.opaqueSurfaces = facts.opaqueSurfaces && shown.seesOpaqueSurfaces;
   result.certificate = scene.certificate;
-  result.compositeLate = scene.compositeLate;
+  planPart(result, shown, facts);
+  if (shown.gathering == Gathering::composite) {
+    planOrder(result, scene, capabilities);
+    result.lookup = lookupOf(scene);
+  } else {
+    result.lookup = shown.measure;
+  }
+  result.way = wayOf(shown, result.visibility, capabilities);
   planLookup(result, scene, facts, capabilities);
-  way.plan(result, scene, capabilities);
+  result.way.plan(result, scene, facts, capabilities);
   return result;
 }
 

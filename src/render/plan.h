@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "render/lookups.h"
+#include "render/modes.h"
+#include "render/plan_item.h"
 #include "render/target_formats.h"
 #include "render/visibility.h"
 #include "scene/scene.h"
@@ -30,9 +32,19 @@ struct ShaderDefine {
 /// What has to run to draw a scene, and nothing else. The renderer has no other source of decisions; the device, which
 /// is not its own, is chosen by its name in the scene.
 struct RenderPlan {
+  /// All that is run, built and kept, with its reason.
+  std::vector<PlanItem> items;
+  std::vector<PlannedProgram> programs;  ///< the only ones that are compiled
+
   bool native = false;         ///< drawn by the native device
   std::string instructionSet;  ///< of the native device: row of instructionSets()
-  VisibilityMethod visibility;
+  std::string mode;            ///< row of modes()
+  Gathering gathering = Gathering::composite;
+  std::array<float, 4> start{0, 0, 0, 0};                                ///< Mode::start
+  void (*finish)(const ExtinctionCurve& curve, float* pixel) = nullptr;  ///< Mode::finish
+  DrawingWay way;                                                        ///< what draws
+  bool leavesOutCells = false;                                           ///< those that show nothing
+  VisibilityMethod visibility;                                           ///< of Gathering::composite
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
   std::string sort;      ///< row of sortMethods(); empty: faces need no order
   Lookup lookup;
@@ -52,9 +64,19 @@ struct RenderPlan {
   bool opaqueSurfaces = false;
   bool certificate = false;
   bool marksDonePixels = false;  ///< k-buffer: a stencil spares pixels that take no more fragments
+  bool flagsLate = false;  ///< k-buffer: whether any fragment is late is looked at, as a better order might be had
   bool compositeLate = false;
   bool speculate = true;  ///< native device: believes the order first, pixel by pixel proven; off: to test that
 };
+
+/// Adds an item to a plan; for the parts of plans. `of` and `count`: see PlanItem; bytes = count * bytesEach.
+void addItem(RenderPlan& plan, PlanKind kind, const std::string& name, const std::string& stage,
+             const std::string& reason, std::size_t bytesEach = 0, const std::string& of = "", std::size_t count = 1);
+/// Adds a program, and its item. `options`: what it is compiled with besides the plan's defines.
+void addProgram(RenderPlan& plan, const std::string& role, const std::string& vertex, const std::string& fragment,
+                const std::string& reason, const ShaderOptions& options);
+/// Throws Error{running} for a role that the plan has not: a renderer compiles nothing else.
+const PlannedProgram& programOf(const RenderPlan& plan, const std::string& role);
 
 /// A pure function: the plan for a scene on a machine. Throws Error{input} for values that no method takes (k, table
 /// size, picture size), Error{running} when the machine lacks what the method needs.

@@ -38,6 +38,7 @@ void describePrepared(const PreparedScene& prepared, RenderReport& report) {
 }
 
 void describePlan(const RenderPlan& chosen, RenderReport& report) {
+  report.plan = chosen.items;
   report.lookup = chosen.lookup.name;
   report.tableSize = chosen.tableSize;
   report.k = chosen.k;
@@ -139,10 +140,19 @@ RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, cons
   return reportOf(scene, progress, drawingOf(scene, progress), &prepared, before);
 }
 
+RenderPlan planScene(const Scene& scene, const Progress& progress) {
+  checkScene(scene);
+  const ThreadLimit limit(scene.threads);
+  StageTimes ignored;
+  const PreparedScene prepared = prepareScene(scene, ignored, progress);
+  const RenderDevice device = openRenderDevice(scene.device, scene.threads);
+  return plan(scene, prepared.facts(), device.capabilities);
+}
+
 RenderReport drawReference(const Scene& scene, bool edgeMask, const Progress& progress) {
   return reportOf(scene, progress, [&](const PreparedScene& prepared, const View& view, RenderReport& report) {
     report.reference = true;
-    const auto renderer = makeReferenceRenderer(prepared);
+    const auto renderer = makeReferenceRenderer(prepared, mode(scene.mode).reference);
     drawRepeatedly(*renderer, scene, view, report, progress);
     if (edgeMask) report.edgeMask = boundaryEdgeMask(prepared.points, prepared.faces, view);
   });

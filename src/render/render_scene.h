@@ -6,6 +6,7 @@
 #include "core/stage_times.h"
 #include "image/image.h"
 #include "mesh/defects.h"
+#include "render/plan.h"
 #include "scene/prepared_scene.h"
 #include "scene/renderer.h"
 #include "scene/scene.h"
@@ -43,6 +44,7 @@ struct RenderReport {
   StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total;
                                ///< k_search where k is searched for, visible (what shows), eye_cut
   double cpuMilliseconds = 0;  ///< of the whole call, all threads
+  std::vector<PlanItem> plan;  ///< what was run for it
   bool reference = false;      ///< drawn by drawReference: what is said of OpenGL, the plan and orders is unset
   std::vector<unsigned char> edgeMask;  ///< boundaryEdgeMask (reference/edge_mask.h), where it was asked for
 };
@@ -55,6 +57,10 @@ RenderReport renderScene(const Scene& scene, const Progress& progress = {});
 /// processor time is of the drawing only.
 RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, const StageTimes& before,
                          const Progress& progress = {});
+
+/// The plan that renderScene draws by, of the first k that is asked for where one is searched. Reads the mesh and opens
+/// the device; draws nothing. Throws as renderScene.
+RenderPlan planScene(const Scene& scene, const Progress& progress = {});
 
 /// The same by the ground truth (reference/reference_renderer.h), without OpenGL: of the method, only Scene::threads
 /// and repeat have an effect. `edgeMask`: fills RenderReport::edgeMask. Throws as renderScene.

@@ -16,7 +16,7 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .dropsLateFragments = true,
        .carriesColors = true,
        .gl = {planKBuffer, makeKBufferRenderer},
-       .native = {planNativeKBuffer, makeNativeKBufferRenderer}},
+       .native = {planNativeKBuffer, makeNativeRenderer}},
       {.name = "abuffer",
        .description = "all fragments of a pixel in memory, sorted; exact for any order of the faces (Carpenter 1984)",
        .needsOrder = false,

@@ -17,8 +17,9 @@ struct RenderPlan;
 
 /// How a visibility method draws on one kind of device.
 struct DrawingWay {
-  /// Its part of the plan: targets, tiles, defines. A pure function. Throws Error like plan().
-  void (*plan)(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) = nullptr;
+  /// Its part of the plan: passes, programs, vertex data, targets, tiles. A pure function. Throws Error like plan().
+  void (*plan)(RenderPlan& plan, const Scene& scene, const SceneFacts& facts,
+               const Capabilities& capabilities) = nullptr;
   /// `prepared` and the current device must outlive the renderer. Stages timed: table, upload_mesh.
   std::unique_ptr<Renderer> (*make)(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                     const Progress& progress) = nullptr;

@@ -101,6 +101,7 @@ PreparedScene cutScene(const PreparedScene& whole, const MeshCut& cut) {
   part.transferFunction = whole.transferFunction;
   part.meaning = whole.meaning;
   part.knotsInCells = whole.knotsInCells;
+  part.clearCells = whole.clearCells;
   part.mesh.points = cut.pointValues(whole.mesh.points);
   part.mesh.tetrahedra = cut.tetrahedra;
   part.points = cut.pointValues(whole.points);

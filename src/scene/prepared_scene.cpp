@@ -13,6 +13,7 @@
 #include "mesh/spatial_order.h"
 #include "scene/clip_scene.h"
 #include "scene/knots_in_cells.h"
+#include "scene/visible_part.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
@@ -142,6 +143,7 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
     prepareCurve(prepared, scene);
     prepared.scalars = normalisedScalars(prepared.field, prepared.curve);
     prepared.knotsInCells = meanKnotsInCells(prepared);
+    prepared.clearCells = hasClearCells(prepared);
     // Last, so that all that was found out above is of the whole mesh.
     if (asksForPart(scene)) clip(prepared, scene, prepared.field.values);
     prepared.field.values = {};
@@ -161,6 +163,18 @@ PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progres
     mesh = readMesh(scene.mesh, options);
   }
   return prepareScene(scene, std::move(mesh), stages);
+}
+
+SceneFacts PreparedScene::facts() const {
+  SceneFacts facts;
+  facts.cellData = field.centering == Centering::cell;
+  facts.opaqueSurfaces = !curve.opaque.empty();
+  facts.knotsInCells = knotsInCells;
+  facts.clearCells = clearCells;
+  facts.points = points.size();
+  facts.cells = mesh.tetrahedra.size();
+  facts.faces = faces.size();
+  return facts;
 }
 
 View viewOf(const Scene& scene, const PreparedScene& prepared) {

@@ -29,11 +29,12 @@ struct PreparedScene {
   std::string transferFunction;
   OpacityMeaning meaning = OpacityMeaning::perUnit;
   double knotsInCells = 0;               ///< scene/knots_in_cells.h
+  bool clearCells = false;               ///< scene/visible_part.h
   std::vector<double> scalars;           ///< normalised to the domain, [0, 1]; one a point or one a cell
   const PreparedScene* whole = nullptr;  ///< of which this is the part that shows anything (scene/visible_part.h)
   std::vector<Index> facesInWhole;       ///< then, the number there of each of `faces`; ascending
 
-  SceneFacts facts() const { return {field.centering == Centering::cell, !curve.opaque.empty(), knotsInCells}; }
+  SceneFacts facts() const;
 };
 
 /// Reads and prepares. Stages timed: read, prepare, faces. Throws Error{input} for anything wrong with the scene's

@@ -13,10 +13,10 @@ namespace havs {
 /// The lookup that suits the transfer function (lookupFor in render/plan.h).
 inline constexpr const char* kAutoLookup = "auto";
 
-/// What is asked for. Names refer to the tables: renderDevices() (render/devices.h), visibilityMethods()
-/// (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats() (render/target_formats.h),
-/// instructionSets() (render/native/instruction_sets.h),
-/// sortMethods() (sort/face_order.h), transferPresets() (transfer/transfer_function.h).
+/// What is asked for. Names refer to the tables: renderDevices() (render/devices.h), modes() (render/modes.h),
+/// visibilityMethods() (render/visibility.h), lookups() and tableFormats() (render/lookups.h), targetFormats()
+/// (render/target_formats.h), instructionSets() (render/native/instruction_sets.h), sortMethods() (sort/face_order.h),
+/// transferPresets() (transfer/transfer_function.h).
 struct Scene {
   std::filesystem::path mesh;
   std::filesystem::path plot3dSolution;
@@ -31,6 +31,7 @@ struct Scene {
   int width = 1024;
   int height = 1024;
   Camera camera;
+  std::string mode = "volume";  ///< what a pixel shows: row of modes() (render/modes.h)
   std::string device = "osmesa";
   std::string instructionSet;  ///< of the native device; empty: the widest that the processor has
   std::string visibility = "kbuffer";
@@ -54,6 +55,8 @@ struct SceneFacts {
   bool cellData = false;        ///< the scalar belongs to the cells
   bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
   double knotsInCells = 0;      ///< meanKnotsInCells (scene/knots_in_cells.h)
+  bool clearCells = false;      ///< some cells show nothing under the transfer function (scene/visible_part.h)
+  std::size_t points = 0, cells = 0, faces = 0;  ///< of the mesh
 };
 
 /// The paper's own choices (`--paper`): centroid, k 6, `3d` with an RGBA8 128^3 table, termination at 0.99, late

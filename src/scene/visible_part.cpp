@@ -13,6 +13,14 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 
+bool isShown(const PreparedScene& prepared, const ShownScalars& shows, std::size_t cell) {
+  const auto& scalars = prepared.scalars;
+  if (prepared.field.centering == Centering::cell) return shows.meet(scalars[cell], scalars[cell]);
+  const auto& [i, j, k, l] = prepared.mesh.tetrahedra[cell];
+  const auto [low, high] = std::minmax({scalars[i], scalars[j], scalars[k], scalars[l]});
+  return shows.meet(low, high);
+}
+
 /// What stays of a list, numbered anew in the same order.
 class Kept {
  public:
@@ -81,19 +89,19 @@ Faces partOf(const Faces& whole, const Kept& points, const Kept& cells, const Ke
 
 std::vector<unsigned char> shownCells(const PreparedScene& prepared) {
   const ShownScalars shows(prepared.curve);
-  const bool cellData = prepared.facts().cellData;
-  const auto& scalars = prepared.scalars;
   std::vector<unsigned char> shown(prepared.mesh.tetrahedra.size());
-  parallelFor(0, shown.size(), kGrain, [&](std::size_t c) {
-    if (cellData) {
-      shown[c] = shows.meet(scalars[c], scalars[c]) ? 1 : 0;
-      return;
-    }
-    const auto& [i, j, k, l] = prepared.mesh.tetrahedra[c];
-    const auto [low, high] = std::minmax({scalars[i], scalars[j], scalars[k], scalars[l]});
-    shown[c] = shows.meet(low, high) ? 1 : 0;
-  });
+  parallelFor(0, shown.size(), kGrain, [&](std::size_t c) { shown[c] = isShown(prepared, shows, c) ? 1 : 0; });
   return shown;
+}
+
+bool hasClearCells(const PreparedScene& prepared) {
+  const ShownScalars shows(prepared.curve);
+  std::atomic<bool> found{false};
+  parallelFor(0, prepared.mesh.tetrahedra.size(), kGrain, [&](std::size_t c) {
+    if (!found.load(std::memory_order_relaxed) && !isShown(prepared, shows, c))
+      found.store(true, std::memory_order_relaxed);
+  });
+  return found;
 }
 
 std::optional<PreparedScene> visiblePart(const PreparedScene& whole) {

@@ -44,6 +44,8 @@ class PartRenderer final : public Renderer {
 
 }  // namespace
 
+std::unique_ptr<Renderer> rendererOfNothing(bool certificate) { return std::make_unique<NothingRenderer>(certificate); }
+
 std::unique_ptr<Renderer> rendererOfVisiblePart(
     const PreparedScene& prepared, bool certificate, StageTimes& stages,
     const std::function<std::unique_ptr<Renderer>(const PreparedScene&)>& make) {
@@ -52,10 +54,9 @@ std::unique_ptr<Renderer> rendererOfVisiblePart(
     const ScopedStage timer(stages, "visible");
     if (auto visible = visiblePart(prepared)) part = std::make_unique<PreparedScene>(std::move(*visible));
   }
-  const PreparedScene& drawn = part ? *part : prepared;
-  if (drawn.mesh.tetrahedra.empty()) return std::make_unique<NothingRenderer>(certificate);
-  auto renderer = make(drawn);
-  if (!part) return renderer;
+  if (!part) return make(prepared);
+  if (part->mesh.tetrahedra.empty()) return rendererOfNothing(certificate);
+  auto renderer = make(*part);
   return std::make_unique<PartRenderer>(std::move(part), std::move(renderer));
 }
 

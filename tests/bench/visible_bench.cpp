@@ -70,7 +70,7 @@ nlohmann::ordered_json certificates(Scene scene, const PreparedScene& whole, con
     scene.k = k;
     StageTimes ignored;
     const RenderPlan chosen = plan(scene, whole.facts(), capabilitiesOf(device));
-    const Drawing all = chosen.visibility.gl.make(whole, chosen, ignored, {})->draw(view, ignored);
+    const Drawing all = chosen.way.make(whole, chosen, ignored, {})->draw(view, ignored);
     const Drawing part = makeRenderer(whole, chosen, ignored)->draw(view, ignored);
     rows.push_back({{"k", k},
                     {"whole", all.certificate->misordered},
@@ -95,7 +95,7 @@ nlohmann::ordered_json measure(const Options& options, const std::string& transf
   const PreparedScene whole = prepareScene(scene, mesh, stages);
   const View view = viewOf(scene, whole);
   const RenderPlan chosen = plan(scene, whole.facts(), capabilitiesOf(device));
-  const auto all = chosen.visibility.gl.make(whole, chosen, stages, {});
+  const auto all = chosen.way.make(whole, chosen, stages, {});
   const auto visible = makeRenderer(whole, chosen, stages);
   all->draw(view, stages);
   const Drawing first = visible->draw(view, stages);

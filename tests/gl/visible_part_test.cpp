@@ -30,7 +30,7 @@ class TwoWays {
         view_(viewOf(scene, prepared_)),
         plan_(plan(scene, prepared_.facts(), capabilitiesOf(device))) {}
   Pair draw() {
-    return {plan_.visibility.gl.make(prepared_, plan_, stages_, {})->draw(view_, stages_),
+    return {plan_.way.make(prepared_, plan_, stages_, {})->draw(view_, stages_),
             makeRenderer(prepared_, plan_, stages_)->draw(view_, stages_)};
   }
   const PreparedScene& prepared() const { return prepared_; }

@@ -45,9 +45,9 @@ class ABufferRenderer final : public Renderer {
  public:
   ABufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
-        count_(programs_.get("faces.vert", "abuffer_count.frag")),
-        store_(programs_.get("faces.vert", "abuffer_store.frag", shaderOptions(plan))),
-        resolve_(programs_.get("whole_picture.vert", "abuffer_resolve.frag", shaderOptions(plan))) {
+        count_(programOf(programs_, plan, "count")),
+        store_(programOf(programs_, plan, "store")),
+        resolve_(programOf(programs_, plan, "resolve")) {
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);

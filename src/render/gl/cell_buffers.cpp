@@ -1,8 +1,10 @@
 #include "render/gl/cell_buffers.h"
 
 #include <array>
+#include <numeric>
 
 #include "core/parallel.h"
+#include "render/corners_behind.h"
 #include "render/fragment_values.h"
 #include "render/gl/mesh_buffers.h"
 
@@ -23,29 +25,26 @@ std::vector<std::array<float, 4>> pointsOf(const PreparedScene& prepared) {
   return points;
 }
 
-/// The point of `cell` that is not on `face`.
-Index oppositePoint(const PreparedScene& prepared, Index cell, Index face) {
-  const auto& faces = prepared.faces.ofCell[cell];
-  for (std::size_t i = 0; i < 4; ++i)
-    if (faces[i] == face) return prepared.mesh.tetrahedra[cell][i];
-  return kNoIndex;
+/// As they lie in memory.
+std::vector<Index> facesInOrder(std::size_t count) {
+  std::vector<Index> faces(count);
+  std::iota(faces.begin(), faces.end(), Index{0});
+  return faces;
 }
 
-std::vector<std::array<Index, 4>> cornersOf(const PreparedScene& prepared) {
-  std::vector<std::array<Index, 4>> corners(prepared.faces.size());
+/// Three corners of each face, and that of the cell behind its front.
+std::vector<std::array<Index, 4>> cornersOf(const Faces& faces, const std::vector<std::array<Index, 2>>& behind) {
+  std::vector<std::array<Index, 4>> corners(faces.size());
   parallelFor(0, corners.size(), kGrain, [&](std::size_t f) {
-    const auto& [a, b, c] = prepared.faces.vertices[f];
-    corners[f] = {a, b, c, oppositePoint(prepared, prepared.faces.cells[f][0], static_cast<Index>(f))};
+    const auto& [a, b, c] = faces.vertices[f];
+    corners[f] = {a, b, c, behind[f][0]};
   });
   return corners;
 }
 
-std::vector<Index> backCornersOf(const PreparedScene& prepared) {
-  std::vector<Index> corners(prepared.faces.size());
-  parallelFor(0, corners.size(), kGrain, [&](std::size_t f) {
-    const Index cell = prepared.faces.cells[f][1];
-    corners[f] = cell == kNoIndex ? kNoIndex : oppositePoint(prepared, cell, static_cast<Index>(f));
-  });
+std::vector<Index> backCornersOf(const std::vector<std::array<Index, 2>>& behind) {
+  std::vector<Index> corners(behind.size());
+  parallelFor(0, corners.size(), kGrain, [&](std::size_t f) { corners[f] = behind[f][1]; });
   return corners;
 }
 
@@ -58,12 +57,14 @@ CellBuffers::Texels CellBuffers::texels(const char* name, GLenum format, const s
   return {std::move(buffer), std::move(texture)};
 }
 
-CellBuffers::CellBuffers(const PreparedScene& prepared)
+CellBuffers::CellBuffers(const PreparedScene& prepared) : CellBuffers(prepared, cornersBehindFaces(prepared)) {}
+
+CellBuffers::CellBuffers(const PreparedScene& prepared, const std::vector<std::array<Index, 2>>& behind)
     : faceCount_(prepared.faces.size()),
       points_(texels("points", GL_RGBA32F, pointsOf(prepared))),
-      corners_(texels("corners of faces", GL_RGBA32UI, cornersOf(prepared))),
-      back_(texels("corners behind faces", GL_R32UI, backCornersOf(prepared))),
-      order_(texels("face order", GL_R32UI, std::vector<Index>(prepared.faces.size()))) {
+      corners_(texels("corners of faces", GL_RGBA32UI, cornersOf(prepared.faces, behind))),
+      back_(texels("corners behind faces", GL_R32UI, backCornersOf(behind))),
+      order_(texels("face order", GL_R32UI, facesInOrder(prepared.faces.size()))) {
   if (prepared.facts().cellData) scalars_ = texels("scalars behind faces", GL_RG32F, scalarsBehindFaces(prepared));
 }
 

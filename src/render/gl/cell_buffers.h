@@ -15,6 +15,7 @@ class CellBuffers {
   /// Throws Error{running} for more points or faces than a buffer texture has texels (2^27 in llvmpipe).
   explicit CellBuffers(const PreparedScene& prepared);
 
+  /// Without it faces are drawn as they lie in memory.
   void setOrder(const FaceOrder& order) { order_.buffer.upload(std::span(order.faces)); }
   /// Binds the textures for `program` and sets their names.
   void bind(const Program& program) const;
@@ -22,6 +23,7 @@ class CellBuffers {
   void draw() const;
 
  private:
+  CellBuffers(const PreparedScene& prepared, const std::vector<std::array<Index, 2>>& behind);
   /// A buffer seen as a texture.
   struct Texels {
     Buffer buffer;

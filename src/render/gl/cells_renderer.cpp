@@ -26,12 +26,8 @@ class CellsRenderer final : public Renderer {
   CellsRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::asInWhole)),
-        color_(programs_.get("cells.vert", "cells.frag", shaderOptions(plan))) {
-    if (plan.certificate) {
-      ShaderOptions options = shaderOptions(plan);
-      options.extensions = {kFramebufferFetch};
-      certify_ = &programs_.get("cells.vert", "cells_certificate.frag", options);
-    }
+        color_(programOf(programs_, plan, "colour")) {
+    if (plan.certificate) certify_ = &programOf(programs_, plan, "certificate");
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);

@@ -13,6 +13,11 @@ ShaderOptions shaderOptions(const RenderPlan& plan) {
   return options;
 }
 
+const Program& programOf(ProgramCache& programs, const RenderPlan& plan, const std::string& role) {
+  const PlannedProgram& planned = programOf(plan, role);
+  return programs.get(planned.vertex, planned.fragment, planned.options);
+}
+
 Image emptyPicture(const View& view) {
   Image image{view.width, view.height, {}};
   image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));

@@ -2,6 +2,7 @@
 // Steps that drawing has in common, whatever the visibility method.
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "gl/program_cache.h"
 #include "image/image.h"
 #include "render/gl/tile.h"
 #include "render/plan.h"
@@ -11,6 +12,9 @@ namespace havs {
 /// What the plan's programs are compiled with: its defines, its lookup, the extension that orders pixels where it has
 /// one.
 ShaderOptions shaderOptions(const RenderPlan& plan);
+
+/// The plan's program of that role.
+const Program& programOf(ProgramCache& programs, const RenderPlan& plan, const std::string& role);
 
 /// A transparent picture of the view's size.
 Image emptyPicture(const View& view);

@@ -1,14 +1,54 @@
 // What the k-buffer takes on OpenGL: targets, tiles, defines.
+#include <algorithm>
+
 #include "core/error.h"
+#include "render/gl/drawing_steps.h"
 #include "render/gl/renderers.h"
+#include "sort/face_order.h"
 
 namespace havs {
 namespace {
 
 constexpr std::size_t kMostTilePixels = std::size_t{1} << 25;  // a count of each fits into a storage block of 128 MiB
 
+/// What the k-buffer's programs are compiled with.
+ShaderOptions kbufferOptions(const RenderPlan& plan) {
+  ShaderOptions options = shaderOptions(plan);
+  options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
+  const bool colors = plan.lookup.carries == Payload::color;
+  if (colors) options.standsFor["payload.glsl"] = "payload_color.glsl";
+  options.standsFor["entries.glsl"] = colors ? "entries_color.glsl" : "entries_scalar.glsl";
+  return options;
+}
+
+void planPrograms(RenderPlan& plan) {
+  const ShaderOptions options = kbufferOptions(plan);
+  ShaderOptions insert = options;
+  if (plan.flagsLate) insert.defines["HAVS_LATE_FLAG"] = "1";
+  addProgram(plan, "insert", "faces.vert", "kbuffer.frag", "each fragment goes into its pixel's k-buffer", insert);
+  addProgram(plan, "flush", "whole_picture.vert", "kbuffer_flush.frag", "what is left in the k-buffers leaves",
+             options);
+  if (plan.marksDonePixels)
+    addProgram(plan, "done pixels", "whole_picture.vert", "done_pixels.frag",
+               "pixels that nothing shows through take no more fragments", options);
+}
+
+void planTargets(RenderPlan& plan, const Scene& scene) {
+  const std::size_t pixels = static_cast<std::size_t>(std::min(plan.tileWidth, scene.width)) *
+                             static_cast<std::size_t>(std::min(plan.tileHeight, scene.height));
+  const auto each = static_cast<std::size_t>(plan.targetFormat.bytesPerTarget);
+  addItem(plan, PlanKind::target, "colour", "draw", "the picture", each, "pixel", pixels);
+  addItem(plan, PlanKind::target, "k-buffer entries", "draw", "k is " + std::to_string(plan.k),
+          each * static_cast<std::size_t>(plan.entryTargets), "pixel", pixels);
+  if (plan.marksDonePixels)
+    addItem(plan, PlanKind::target, "done pixels", "draw", "opaque pixels are spared", 1, "pixel", pixels);
+  if (plan.certificate)
+    addItem(plan, PlanKind::target, "late fragments", "draw", "a certificate is asked for", 4, "pixel", pixels);
+}
+
 }  // namespace
-void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities) {
+
+void planKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
   plan.k = scene.k;
   const int perTarget = entriesPerTarget(plan.lookup);
   plan.entryTargets = (scene.k + perTarget - 1) / perTarget;
@@ -28,6 +68,12 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capab
   if (plan.marksDonePixels) plan.defines.push_back({"HAVS_MARKS_DONE", "1"});
   if (scene.certificate) plan.defines.push_back({"HAVS_CERTIFICATE", "1"});
   chooseTile(plan, scene, capabilities, kMostTilePixels);
+  plan.flagsLate = plan.leavesOutCells && !plan.certificate && sortMethod(plan.sort).usesNeighbours;
+  planFaceBuffers(plan, facts);
+  planPrograms(plan);
+  planTargets(plan, scene);
+  addItem(plan, PlanKind::pass, "draw the faces", "draw", "the mode " + plan.mode);
+  addItem(plan, PlanKind::pass, "flush the k-buffers", "flush", "entries stay behind the last face");
 }
 
 }  // namespace havs

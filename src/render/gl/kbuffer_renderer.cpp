@@ -21,15 +21,6 @@
 
 namespace havs {
 
-ShaderOptions kbufferShaderOptions(const RenderPlan& plan) {
-  ShaderOptions options = shaderOptions(plan);
-  options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
-  const bool colors = plan.lookup.carries == Payload::color;
-  if (colors) options.standsFor["payload.glsl"] = "payload_color.glsl";
-  options.standsFor["entries.glsl"] = colors ? "entries_color.glsl" : "entries_scalar.glsl";
-  return options;
-}
-
 namespace {
 
 /// The largest opacity that a pixel holds (kBelowOne of payload.glsl).
@@ -37,27 +28,15 @@ constexpr float kMostOpacity = 0.99999994f;
 /// How often pixels that are done are looked for: each time costs as much as a fragment in every pixel.
 constexpr std::size_t kMarksAFrame = 16;
 
-/// Where late fragments are not counted anyway, but a better order might be had if there are any (scene_sorter.h).
-std::optional<Buffer> lateFlagFor(const PreparedScene& prepared, const RenderPlan& plan) {
-  if (prepared.whole == nullptr || plan.certificate || !sortMethod(plan.sort).usesNeighbours) return std::nullopt;
-  return Buffer("late flag", sizeof(std::uint32_t));
-}
-
-ShaderOptions insertOptions(const RenderPlan& plan, bool lateFlag) {
-  ShaderOptions options = kbufferShaderOptions(plan);
-  if (lateFlag) options.defines["HAVS_LATE_FLAG"] = "1";
-  return options;
-}
-
 class KBufferRenderer final : public Renderer, public ChangesK {
  public:
   KBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
       : plan_(plan),
         mostExtinction_(static_cast<float>(prepared.curve.maximumKappa)),
         sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn)),
-        lateFlag_(lateFlagFor(prepared, plan)),
-        insert_(insertProgram()),
-        flush_(flushProgram()) {
+        insert_(programOf(programs_, plan, "insert")),
+        flush_(programOf(programs_, plan, "flush")) {
+    if (plan.flagsLate) lateFlag_.emplace("late flag", sizeof(std::uint32_t));
     {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
@@ -82,8 +61,8 @@ class KBufferRenderer final : public Renderer, public ChangesK {
 
   void changeK(const RenderPlan& plan) override {
     plan_ = plan;
-    insert_ = insertProgram();
-    flush_ = flushProgram();
+    insert_ = programOf(programs_, plan_, "insert");
+    flush_ = programOf(programs_, plan_, "flush");
     targets_.reset();
   }
 
@@ -122,20 +101,12 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     return lateFlag_->read<std::uint32_t>(1)[0] != 0;
   }
 
-  const Program& insertProgram() {
-    return programs_.get("faces.vert", "kbuffer.frag", insertOptions(plan_, lateFlag_.has_value()));
-  }
-  const Program& flushProgram() {
-    return programs_.get("whole_picture.vert", "kbuffer_flush.frag", kbufferShaderOptions(plan_));
-  }
-
   void makeTargets(int width, int height) {
     if (targets_ && targets_->width() == width && targets_->height() == height) return;
     targets_.reset();
     counter_.reset();
     targets_.emplace(plan_, width, height);
-    if (plan_.marksDonePixels)
-      done_.emplace(programs_.get("whole_picture.vert", "done_pixels.frag", kbufferShaderOptions(plan_)));
+    if (plan_.marksDonePixels) done_.emplace(programOf(programs_, plan_, "done pixels"));
     if (plan_.certificate) counter_.emplace(width, height);
   }
 

@@ -9,20 +9,27 @@
 
 namespace havs {
 
-/// What the k-buffer's programs are compiled with.
-ShaderOptions kbufferShaderOptions(const RenderPlan& plan);
-void planKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+/// The items of MeshBuffers, of CellBuffers.
+void planFaceBuffers(RenderPlan& plan, const SceneFacts& facts);
+void planCellBuffers(RenderPlan& plan, const SceneFacts& facts);
+
+void planKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
 std::unique_ptr<Renderer> makeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                               const Progress& progress);
 
 inline constexpr std::size_t kBytesPerFragment = 8;  ///< of the a-buffer's lists
-void planABuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+void planABuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
 std::unique_ptr<Renderer> makeABufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                               const Progress& progress);
 
 inline constexpr const char* kFramebufferFetch = "GL_EXT_shader_framebuffer_fetch";
-void planCells(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
+void planCells(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
 std::unique_ptr<Renderer> makeCellsRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                             const Progress& progress);
+
+/// Of modes() that need no order.
+void planGathering(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
+std::unique_ptr<Renderer> makeGatheringRenderer(const PreparedScene& prepared, const RenderPlan& plan,
+                                                StageTimes& stages, const Progress& progress);
 
 }  // namespace havs

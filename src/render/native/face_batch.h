@@ -56,10 +56,12 @@ constexpr double kFloatError = 0x1p-21;
 /// Of the products of an edge function's terms: the rounding in double, as edgeLimit (raster/edge_function.h) has it.
 constexpr double kDoubleError = 16 * 0x1p-53;
 
-template <int kAttributes>
+/// kValues: what is interpolated across a face; kOwn: functions that the drawer adds.
+template <int kValues, int kOwn = 0>
 struct FaceBatch {
-  static constexpr int kSum = 3, kNumerator = 4;  ///< behind the edges' functions; of the depth, then the attributes
-  static constexpr int kFunctions = 5 + kAttributes;
+  static constexpr int kSum = 3, kNumerator = 4;  ///< behind the edges' functions; a numerator for each value
+  static constexpr int kFirstOwn = kNumerator + kValues;
+  static constexpr int kFunctions = kFirstOwn + kOwn;
   using Doubles = double[kBatch];
   using Floats = float[kBatch];
 
@@ -71,12 +73,12 @@ struct FaceBatch {
   int originX[kBatch], originY[kBatch];  ///< pixel of the picture that functions start at: of the face's first stamp
   int extent[kBatch];                    ///< in pixels, of the face in the picture, and a stamp
 
-  alignas(64) Doubles x[3], y[3], w[3], column[3], row[3];
-  alignas(64) Doubles value[1 + kAttributes][3];                         ///< at the corners: depth, attributes
+  alignas(64) Doubles x[3], y[3], w[3], column[3], row[3], depth[3];
+  alignas(64) Doubles value[kValues][3];                                 ///< at the corners; set by the drawer
   alignas(64) Doubles atOriginD[3], perXD[3], perYD[3], error[3], sign;  ///< of the edges opposite to the corners
 
   alignas(64) Floats atOrigin[kFunctions], perX[kFunctions], perY[kFunctions];
-  alignas(64) Floats value0[1 + kAttributes];  ///< the first corner's, which the numerators are relative to
+  alignas(64) Floats value0[kValues];  ///< the first corner's, which the numerators are relative to
   alignas(64) Floats kind;
 
   /// What lies behind `count` repeats the last face, and is not drawn.
@@ -93,7 +95,7 @@ struct FaceBatch {
         w[j][i] = p.w;
         column[j][i] = p.column;
         row[j][i] = p.row;
-        value[0][j][i] = p.depth;
+        depth[j][i] = p.depth;
       }
     }
   }
@@ -163,6 +165,13 @@ struct FaceBatch {
     }
   }
 
+  /// A function in float: `scale` times what it is at the origin, and per pixel.
+  void put(int which, int i, double atOriginValue, double perXValue, double perYValue, double scale) {
+    atOrigin[which][i] = static_cast<float>(scale * atOriginValue);
+    perX[which][i] = static_cast<float>(scale * perXValue);
+    perY[which][i] = static_cast<float>(scale * perYValue);
+  }
+
   /// The functions in float. A sign of an edge's is sure where the value exceeds its error: scaled so that this is 1.
   void findFunctions() {
     for (int j = 0; j < 3; ++j)
@@ -170,7 +179,7 @@ struct FaceBatch {
     for (int i = 0; i < kBatch; ++i)
       put(kSum, i, atOriginD[0][i] + atOriginD[1][i] + atOriginD[2][i], perXD[0][i] + perXD[1][i] + perXD[2][i],
           perYD[0][i] + perYD[1][i] + perYD[2][i], sign[i]);
-    for (int v = 0; v < 1 + kAttributes; ++v)
+    for (int v = 0; v < kValues; ++v)
       for (int i = 0; i < kBatch; ++i) {
         const double b = value[v][1][i] - value[v][0][i], c = value[v][2][i] - value[v][0][i];
         put(kNumerator + v, i, b * atOriginD[1][i] + c * atOriginD[2][i], b * perXD[1][i] + c * perXD[2][i],
@@ -198,11 +207,6 @@ struct FaceBatch {
   static int lastPixel(double high, int last) {
     const double inside = high < 0.0 ? -1.0 : high > last ? static_cast<double>(last) : high;
     return static_cast<int>(inside);
-  }
-  void put(int which, int i, double atOriginValue, double perXValue, double perYValue, double scale) {
-    atOrigin[which][i] = static_cast<float>(scale * atOriginValue);
-    perX[which][i] = static_cast<float>(scale * perXValue);
-    perY[which][i] = static_cast<float>(scale * perYValue);
   }
 };
 

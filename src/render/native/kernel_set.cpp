@@ -1,4 +1,5 @@
 // Compiled once for each instruction set (CMakeLists.txt): HAVS_KERNELS names the function, HAVS_SIMD_ARCH the lanes.
+#include "render/native/gather_kernel.h"
 #include "render/native/kernel_sets.h"
 #include "render/native/segment_kernels.h"
 #include "render/native/simd.h"
@@ -24,10 +25,15 @@ TileKernel orderedTileKernel(Payload carries) {
                                    : drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, 1>, 1>;
 }
 
+TileKernel extremeKernel(bool greatest) {
+  return greatest ? gatherTile<ExtremeGatherer<SimdLanes, true>> : gatherTile<ExtremeGatherer<SimdLanes, false>>;
+}
+
 }  // namespace
 
 const KernelSet& HAVS_KERNELS() {
-  static const KernelSet set{tileKernel, orderedTileKernel, kSegmentKernels};
+  static const KernelSet set{tileKernel, orderedTileKernel, gatherTile<SegmentGatherer<SimdLanes>>, extremeKernel,
+                             kSegmentKernels};
   return set;
 }
 

@@ -26,7 +26,11 @@ struct KernelSet {
   /// For fragments that come in order: keeps the last one of a pixel, and flags the pixel where one comes nearer than
   /// that. All other pixels are, to the last bit, what every k gives.
   TileKernel (*orderedTileKernel)(Payload carries);
-  /// Of every lookup; ends with a null shader.
+  /// For segments that come in any order (render/native/gather_kernel.h).
+  TileKernel segmentsOfCells;
+  /// For the greatest or the least scalar of a pixel.
+  TileKernel (*extremeKernel)(bool greatest);
+  /// Of every lookup and measure; ends with a null shader.
   const NamedSegmentKernel* segmentKernels;
 };
 

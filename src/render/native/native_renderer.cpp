@@ -1,14 +1,16 @@
-// The k-buffer without OpenGL: the mesh's points go into the picture, the faces into order and into lists of the tiles
-// that they cover, and threads draw tile after tile, each in its own cache.
+// Pictures without OpenGL: the mesh's points go into the picture, the faces into order, where the plan has one, and
+// into lists of the tiles that they cover, and threads draw tile after tile, each in its own cache.
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_invoke.h>
 
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "render/corners_behind.h"
 #include "render/fragment_values.h"
 #include "render/make_renderer.h"
 #include "render/native/kernels.h"
@@ -19,52 +21,55 @@
 namespace havs {
 namespace {
 
-constexpr int kTileSide = 64;  // at most kLargestTileStamps stamps
 /// (Tile, face) pairs that are kept at once, 4 bytes each: many more than faces only where faces cover many tiles.
 constexpr std::size_t kMostPairs = std::size_t{1} << 25;
 
 static_assert(sizeof(std::array<Index, 3>) == sizeof(std::uint32_t[3]));
+static_assert(kNoIndex == kNoCorner);
 
-class NativeKBufferRenderer final : public Renderer {
+class NativeRenderer final : public Renderer {
  public:
-  NativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
-                        const Progress& progress)
-      : prepared_(prepared), plan_(plan), sorter_(makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn)) {
+  NativeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress)
+      : prepared_(prepared), plan_(plan) {
     const InstructionSet& instructions = instructionSet(plan.instructionSet);
-    {
+    if (!plan.lookup.shader.empty()) {
       const ScopedStage timer(stages, "table");
       shader_.emplace(prepared, plan, instructions, progress);
+      setting_.shader = &*shader_;
     }
-    const KernelSet& kernels = instructions.kernels();
-    setting_.kernel = kernels.tileKernel(plan.k, plan.lookup.carries);
-    // With early termination, which fragments a pixel still looks at depends on k: a smaller one may be done before it
-    // meets the fragment that shows it to be wrong.
-    if (plan.speculate && plan.k > 1 && !(plan.earlyTermination > 0))
-      setting_.ordered = kernels.orderedTileKernel(plan.lookup.carries);
-    setting_.k = plan.k;
-    setting_.attributes = plan.lookup.carries == Payload::color ? 4 : 1;
-    setting_.certificate = plan.certificate;
-    setting_.compositeLate = plan.compositeLate;
-    if (plan.earlyTermination > 0) setting_.terminalOpacity = static_cast<float>(plan.earlyTermination);
-    setting_.shader = &*shader_;
+    if (plan.sort.empty()) {
+      order_.faces.resize(prepared.faces.size());
+      std::iota(order_.faces.begin(), order_.faces.end(), Index{0});
+    } else {
+      sorter_ = makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn);
+    }
+    if (plan.gathering == Gathering::composite) {
+      setKBuffer(instructions.kernels());
+    } else {
+      setGathering(instructions.kernels());
+    }
     prepareMesh();
   }
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
+    mesh_.parallelRays = view.orthographic;
     mesh_.width = view.width;
     mesh_.height = view.height;
     const TileGrid grid = tileGrid(view.width, view.height, plan_.tileWidth);
     {
       const ScopedStage timer(stages, "order");
-      tbb::parallel_invoke([&] { sorter_->sort(viewPoint(view), order_); },
-                           [&] {
-                             placePoints(view);
-                             bins_.findTiles(mesh_, points_.size(), prepared_.faces, grid);
-                           });
+      tbb::parallel_invoke(
+          [&] {
+            if (sorter_) sorter_->sort(viewPoint(view), order_);
+          },
+          [&] {
+            placePoints(view);
+            bins_.findTiles(mesh_, points_.size(), prepared_.faces, grid);
+          });
     }
     bool late = false;
     Drawing drawing = drawInOrder(view, grid, stages, progress, late);
-    if (late) {
+    if (late && sorter_) {
       bool better = false;
       {
         const ScopedStage timer(stages, "order");
@@ -88,7 +93,8 @@ class NativeKBufferRenderer final : public Renderer {
     Drawing drawing;
     drawing.image.width = view.width;
     drawing.image.height = view.height;
-    drawing.image.rgba.assign(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height), 0.0f);
+    drawing.image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+    for (std::size_t i = 0; i < drawing.image.rgba.size(); ++i) drawing.image.rgba[i] = setting_.start[i % 4];
     if (plan_.certificate) drawing.certificate.emplace().count.assign(drawing.image.rgba.size() / 4, 0);
     {
       const ScopedStage timer(stages, "upload");
@@ -96,9 +102,40 @@ class NativeKBufferRenderer final : public Renderer {
     }
     const ScopedStage timer(stages, "draw");
     late = drawTiles(view, grid, drawing, progress);
+    finish(drawing.image);
     drawing.cycles = order_.cycles;
     drawing.tiles = grid.count();
     return drawing;
+  }
+
+  void setKBuffer(const KernelSet& kernels) {
+    setting_.kernel = kernels.tileKernel(plan_.k, plan_.lookup.carries);
+    // With early termination, which fragments a pixel still looks at depends on k: a smaller one may be done before it
+    // meets the fragment that shows it to be wrong.
+    if (plan_.speculate && plan_.k > 1 && !(plan_.earlyTermination > 0))
+      setting_.ordered = kernels.orderedTileKernel(plan_.lookup.carries);
+    setting_.k = plan_.k;
+    setting_.attributes = plan_.lookup.carries == Payload::color ? 4 : 1;
+    setting_.certificate = plan_.certificate;
+    setting_.compositeLate = plan_.compositeLate;
+    if (plan_.earlyTermination > 0) setting_.terminalOpacity = static_cast<float>(plan_.earlyTermination);
+  }
+
+  void setGathering(const KernelSet& kernels) {
+    setting_.adds = plan_.gathering == Gathering::sum;
+    setting_.kernel =
+        setting_.adds ? kernels.segmentsOfCells : kernels.extremeKernel(plan_.gathering == Gathering::greatest);
+    setting_.start = plan_.start;
+    setting_.certificate = plan_.certificate;
+    if (!setting_.adds) return;
+    opposite_ = cornersBehindFaces(prepared_);
+    mesh_.opposite = reinterpret_cast<const std::uint32_t(*)[2]>(opposite_.data());
+  }
+
+  void finish(Image& image) const {
+    if (plan_.finish == nullptr) return;
+    parallelFor(0, image.rgba.size() / 4, 4096,
+                [&](std::size_t pixel) { plan_.finish(prepared_.curve, &image.rgba[4 * pixel]); });
   }
 
   void prepareMesh() {
@@ -161,8 +198,9 @@ class NativeKBufferRenderer final : public Renderer {
   TileSetting setting_;
   RasterMesh mesh_{};
   std::vector<RasterPoint> points_;
-  std::vector<std::array<float, 2>> behind_;  // cell data
-  std::vector<ColorAndExtinction> colors_;    // Payload::color
+  std::vector<std::array<float, 2>> behind_;    // cell data
+  std::vector<std::array<Index, 2>> opposite_;  // Gathering::sum
+  std::vector<ColorAndExtinction> colors_;      // Payload::color
   std::vector<std::array<ColorAndExtinction, 2>> colorsBehind_;
   FaceOrder order_;
   FaceBins bins_;
@@ -170,20 +208,9 @@ class NativeKBufferRenderer final : public Renderer {
 
 }  // namespace
 
-void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities&) {
-  if (scene.targetFormat != "32f")
-    failInput("the native device keeps its k-buffer in 32-bit numbers", "--target-format",
-              "leave it out, or draw on another device");
-  plan.k = scene.k;
-  plan.targetFormat = targetFormat(scene.targetFormat);
-  const int attributes = plan.lookup.carries == Payload::color ? 4 : 1;
-  plan.bytesPerPixel = 4 * (4 + 1 + 2 + plan.k * (2 + attributes)) + (plan.certificate ? 4 : 0);
-  plan.tileWidth = plan.tileHeight = kTileSide;
-}
-
-std::unique_ptr<Renderer> makeNativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan,
-                                                    StageTimes& stages, const Progress& progress) {
-  return std::make_unique<NativeKBufferRenderer>(prepared, plan, stages, progress);
+std::unique_ptr<Renderer> makeNativeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                             const Progress& progress) {
+  return std::make_unique<NativeRenderer>(prepared, plan, stages, progress);
 }
 
 }  // namespace havs

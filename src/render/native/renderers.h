@@ -1,5 +1,5 @@
 #pragma once
-// What the rows of visibilityMethods() point to on the native device (DrawingWay, render/visibility.h).
+// What the rows of visibilityMethods() and modes() point to on the native device (DrawingWay, render/visibility.h).
 #include <memory>
 
 #include "render/plan.h"
@@ -8,8 +8,11 @@
 
 namespace havs {
 
-void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities);
-std::unique_ptr<Renderer> makeNativeKBufferRenderer(const PreparedScene& prepared, const RenderPlan& plan,
-                                                    StageTimes& stages, const Progress& progress);
+void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities);
+void planNativeGathering(RenderPlan& plan, const Scene& scene, const SceneFacts& facts,
+                         const Capabilities& capabilities);
+/// Draws either.
+std::unique_ptr<Renderer> makeNativeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                             const Progress& progress);
 
 }  // namespace havs

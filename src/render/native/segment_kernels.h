@@ -1,5 +1,6 @@
 #pragma once
-// The kernels of an instruction set (HAVS_INSTRUCTIONS): one for each file of shaders/lookup. CMake writes the list.
+// The kernels of an instruction set (HAVS_INSTRUCTIONS): one for each file of shaders/lookup and shaders/measure. CMake
+// writes the list.
 #include "render/native/kernels.h"
 
 #define HAVS_JOIN_NAMES(a, b) a##_##b
@@ -9,13 +10,13 @@
 
 namespace havs {
 
-#define HAVS_LOOKUP(name) void HAVS_SEGMENT_KERNEL(name)(const LookupData& data, SegmentQueue& queue);
+#define HAVS_LOOKUP(folder, name) void HAVS_SEGMENT_KERNEL(name)(const LookupData& data, SegmentQueue& queue);
 #include "lookup_list.inc"
 #undef HAVS_LOOKUP
 
 /// By the path of the lookup's shader; ends with a null name.
 static constexpr NamedSegmentKernel kSegmentKernels[] = {
-#define HAVS_LOOKUP(name) {"lookup/" #name ".glsl", HAVS_SEGMENT_KERNEL(name)},
+#define HAVS_LOOKUP(folder, name) {#folder "/" #name ".glsl", HAVS_SEGMENT_KERNEL(name)},
 #include "lookup_list.inc"
 #undef HAVS_LOOKUP
     {nullptr, nullptr}};

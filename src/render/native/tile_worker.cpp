@@ -28,6 +28,16 @@ using Four [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
 
 Four compositeUnder(Four front, Four back) { return front + (1.0f - front[3]) * back; }
 
+void addQueue(TileDraw& tile) {
+  SegmentQueue& queue = *tile.queue;
+  if (queue.count == 0) return;
+  static_cast<const SegmentShader*>(tile.shader)->shade(queue);
+  Four* const rgba = reinterpret_cast<Four*>(tile.rgba);
+  const Four* const added = reinterpret_cast<const Four*>(queue.rgba.data());
+  for (std::size_t i = 0; i < queue.count; ++i) rgba[queue.pixel[i]] += added[i];
+  queue.count = 0;
+}
+
 void flushQueue(TileDraw& tile) {
   SegmentQueue& queue = *tile.queue;
   if (queue.count == 0) return;
@@ -83,7 +93,7 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
   tile_.sameDistance = mesh.cellData ? Arithmetic<FloatLane>::kLateTolerance : 0;
   tile_.flushAlways = setting.certificate && setting.terminalOpacity <= 1;
   tile_.queue = queue_.get();
-  tile_.flush = flushQueue;
+  tile_.flush = setting.adds ? addQueue : flushQueue;
   tile_.shader = setting.shader;
   tile_.terminalOpacity = setting.terminalOpacity;
 }
@@ -95,7 +105,7 @@ void TileWorker::place(std::size_t tile) {
   height_ = std::min(grid_.side, mesh_.height - tile_.top);
   std::fill(active_.begin(), active_.end(), std::uint16_t{0});
   std::fill(flagged_.begin(), flagged_.end(), std::uint16_t{0});
-  std::fill(rgba_.begin(), rgba_.end(), 0.0f);
+  for (std::size_t i = 0; i < rgba_.size(); ++i) rgba_[i] = setting_.start[i % 4];
   std::fill(late_.begin(), late_.end(), 0u);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct TileSetting {
   bool compositeLate = false;
   float terminalOpacity = 2;
   const SegmentShader* shader = nullptr;
+  bool adds = false;                       ///< segments add up in a pixel, instead of being composited
+  std::array<float, 4> start{0, 0, 0, 0};  ///< what a pixel holds before anything is drawn
 };
 
 /// Draws tiles, one at a time: a thread's own memory.

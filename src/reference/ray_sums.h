@@ -1,0 +1,28 @@
+#pragma once
+// What a ray gathers in modes that composite nothing, in double: the ground truth of each (docs/03-scene.md, Modes).
+#include <span>
+
+#include "reference/cell_segments.h"
+#include "reference/ray_color.h"
+#include "transfer/extinction_curve.h"
+
+namespace havs {
+
+/// From the segments of a ray, in its order, to its premultiplied colour and opacity.
+using RayFunction = RayColor (*)(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+
+/// Black of opacity 1 - exp(-integral of kappa); 1 behind an opaque surface.
+RayColor rayAbsorption(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+/// The integral of colour times kappa, at most 1, of opacity 0. Opaque surfaces do not shine: kappa is bridged over
+/// them (withoutOpaque).
+RayColor rayEmission(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+/// The colour of the greatest, of the least and of the mean scalar, of opacity 1; transparent for a ray that meets
+/// nothing.
+RayColor rayMaximum(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+RayColor rayMinimum(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+RayColor rayAverage(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+
+/// The curve's colour at a scalar of [0, 1], opaque.
+RayColor opaqueColor(const ExtinctionCurve& curve, double scalar);
+
+}  // namespace havs
