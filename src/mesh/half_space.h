@@ -13,9 +13,9 @@ struct HalfSpace {
   double level(const Vec3& p) const { return dot(normal, p) - offset; }
 };
 
-/// Points of the local frame that are nearer to the plane than this count as on it: no cell is cut thinner. Far above
-/// the rounding of a level, 1e-15, and far below what a picture in float shows, 1e-7.
-inline constexpr double kOnPlane = 1e-10;
+/// Points of the local frame that are nearer to the plane than this count as on it: no piece is thinner, so that the
+/// rounding of places, 1e-16, turns none over. A picture in float does not show it: its places are good to 6e-8.
+inline constexpr double kOnPlane = 1e-8;
 
 /// Of each point (local frame), its distance from the plane, positive inside; 0 within kOnPlane. Parallel.
 std::vector<double> levelsOf(std::span<const Vec3> localPoints, const HalfSpace& halfSpace);

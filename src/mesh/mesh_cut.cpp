@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 
 namespace havs {
@@ -143,13 +144,12 @@ class Cutter {
     return static_cast<signed char>((above ? 1 : 0) - (below ? 1 : 0));
   }
 
-  /// From above to below, so that the place depends on the edge and not on how its ends are numbered.
   void placeEdgePoints() {
     result_.edgePoints.resize(edges_.size());
     parallelFor(0, edges_.size(), kBlock, [&](std::size_t e) {
-      auto above = static_cast<Index>(edges_[e] >> 32), below = static_cast<Index>(edges_[e] & 0xFFFFFFFFu);
-      if (levels_[above] < 0) std::swap(above, below);
-      result_.edgePoints[e] = {above, below, levels_[above] / (levels_[above] - levels_[below])};
+      auto near = static_cast<Index>(edges_[e] >> 32), far = static_cast<Index>(edges_[e] & 0xFFFFFFFFu);
+      if (std::abs(levels_[far]) < std::abs(levels_[near])) std::swap(near, far);
+      result_.edgePoints[e] = {near, far, levels_[near] / (levels_[near] - levels_[far])};
     });
   }
 

@@ -7,10 +7,15 @@
 
 namespace havs {
 
-/// A point on an edge whose ends have levels of both signs: above + share * (below - above).
+/// A point on an edge whose ends have levels of both signs: near + share * (far - near).
 struct EdgePoint {
-  Index above, below;
-  double share;  ///< (0, 1)
+  Index near, far;
+  double share;  ///< (0, 1/2]
+  /// Depends on the ends and not on which is first: at the middle neither is nearer.
+  template <class Value>
+  Value between(const Value& atNear, const Value& atFar) const {
+    return share == 0.5 ? 0.5 * (atNear + atFar) : atNear + share * (atFar - atNear);
+  }
 };
 
 /// What becomes of a cell.
@@ -39,10 +44,11 @@ struct MeshCut {
 };
 
 /// Cuts cells where a function changes its sign that is linear in each of them and has the given levels at the points.
-/// fates: one a cell. New points lie where edges cross level 0, one for each edge, whatever the number of its cells; a
-/// point at level 0 is itself on the cut, and no new one lies at it. What conforms before conforms after: faces that
-/// two cells share are cut alike. Pieces are right-handed where their cells are; those of a cell follow each other in
-/// its place. Linear time but for sorting the crossed edges, parallel; the same for any number of threads.
+/// fates: one a cell. New points lie where edges cross level 0, one for each edge, whatever the number of its cells, at
+/// a place that depends on nothing but the edge and its levels; a point at level 0 is itself on the cut, and no new one
+/// lies at it. What conforms before conforms after: faces that two cells share are cut alike. Pieces are right-handed
+/// where their cells are; those of a cell follow each other in its place. Linear time but for sorting the crossed
+/// edges, parallel; the same for any number of threads.
 MeshCut cutMesh(std::span<const Tetrahedron> cells, std::span<const double> levels, std::span<const CellFate> fates);
 
 template <class Value>
@@ -52,8 +58,8 @@ std::vector<Value> MeshCut::pointValues(const std::vector<Value>& old) const {
     if (i < keptPoints.size()) {
       values[i] = old[keptPoints[i]];
     } else {
-      const auto& [above, below, share] = edgePoints[i - keptPoints.size()];
-      values[i] = old[above] + share * (old[below] - old[above]);
+      const EdgePoint& point = edgePoints[i - keptPoints.size()];
+      values[i] = point.between(old[point.near], old[point.far]);
     }
   });
   return values;

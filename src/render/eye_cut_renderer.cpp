@@ -8,26 +8,24 @@
 namespace havs {
 namespace {
 
-/// Where a mesh is cut.
-struct Cut {
-  Vec3 eye, forward;
-  bool operator==(const Cut&) const = default;
+/// What a cut follows from.
+struct Seen {
+  Vec3 eye, forward, right;
+  double halfWidth, halfHeight;
+  bool operator==(const Seen&) const = default;
 };
 
 class AnyEyeRenderer final : public Renderer, public ChangesK {
  public:
   AnyEyeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages, const Progress& progress,
                  RendererMaker make)
-      : prepared_(prepared),
-        plan_(plan),
-        make_(std::move(make)),
-        distance_(plan.native ? kEyeCutInDouble : kEyeCutInFloat) {
+      : prepared_(prepared), plan_(plan), make_(std::move(make)), how_(plan.native ? kEyeCutInDouble : kEyeCutInFloat) {
     renderer_ = make_(prepared_, plan_, stages, progress);
   }
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     if (cutFor(view, stages) || !renderer_) renderer_ = make_(drawn(), plan_, stages, progress);
-    Drawing drawing = renderer_->draw(view, stages, progress);
+    Drawing drawing = renderer_->draw(part_ ? viewFromOrigin(view) : view, stages, progress);
     if (part_ && !drawing.drawnCells) drawing.drawnCells = part_->mesh.tetrahedra.size();
     return drawing;
   }
@@ -44,14 +42,15 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   /// Cuts the mesh as the view needs it. Whether that is another mesh than before.
   bool cutFor(const View& view, StageTimes& stages) {
     std::optional<ScopedStage> timer;
-    if (eyeIsNear(view, distance_)) timer.emplace(stages, "eye_cut");
-    std::optional<Cut> cut;
-    if (needsEyeCut(prepared_, view, distance_)) cut = Cut{view.eye, view.forward};
+    if (eyeIsNear(view, how_)) timer.emplace(stages, "eye_cut");
+    std::optional<Seen> cut;
+    if (needsEyeCut(prepared_, view, how_))
+      cut = Seen{view.eye, view.forward, view.right, view.halfWidth, view.halfHeight};
     if (cut == cut_) return false;
     renderer_.reset();  // before what it draws, and its memory before the next one's
     part_.reset();
     cut_.reset();
-    if (cut) part_ = std::make_unique<PreparedScene>(cutBeforeEye(prepared_, view, distance_));
+    if (cut) part_ = std::make_unique<PreparedScene>(cutBeforeEye(prepared_, view, how_));
     cut_ = cut;
     return true;
   }
@@ -59,10 +58,10 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   const PreparedScene& prepared_;
   RenderPlan plan_;
   RendererMaker make_;
-  double distance_;                      // of the cut from the eye
+  EyeCut how_;
   std::unique_ptr<PreparedScene> part_;  // drawn instead of all, where there is one
   std::unique_ptr<Renderer> renderer_;
-  std::optional<Cut> cut_;
+  std::optional<Seen> cut_;
 };
 
 }  // namespace

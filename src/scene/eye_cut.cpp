@@ -5,32 +5,58 @@
 
 #include <cmath>
 
+#include "core/parallel.h"
 #include "mesh/half_space.h"
 #include "scene/clip_scene.h"
 
 namespace havs {
 namespace {
 
+/// Where the sides are cut, in widths and heights of the view.
+constexpr double kAside = 2;
+
 /// How far rays have gone, at most, when they come to the cut: those of the picture's corners.
-double longestWay(const View& view, double distance) {
-  return distance * std::sqrt(1 + view.halfWidth * view.halfWidth + view.halfHeight * view.halfHeight);
+double longestWay(const View& view, const EyeCut& cut) {
+  return cut.distance * std::sqrt(1 + view.halfWidth * view.halfWidth + view.halfHeight * view.halfHeight);
+}
+
+/// The half space on the inner side of a plane through the eye that `slope` leads aside along `axis`.
+HalfSpace besideView(const View& view, const Vec3& axis, double slope) {
+  const Vec3 normal = normalize(slope * view.forward - axis);
+  return {normal, dot(normal, view.eye)};
+}
+
+void keepInside(PreparedScene& scene, const HalfSpace& half) {
+  scene = cutScene(scene, partInside(scene.mesh.tetrahedra, scene.points, half));
 }
 
 }  // namespace
 
-bool eyeIsNear(const View& view, double distance) {
-  return !view.orthographic && length(view.eye) <= 1 + longestWay(view, distance);
+bool eyeIsNear(const View& view, const EyeCut& cut) {
+  return !view.orthographic && length(view.eye) <= 1 + longestWay(view, cut);
 }
 
-bool needsEyeCut(const PreparedScene& prepared, const View& view, double distance) {
-  return eyeIsNear(view, distance) && reachesMesh(prepared, view.eye, longestWay(view, distance));
+bool needsEyeCut(const PreparedScene& prepared, const View& view, const EyeCut& cut) {
+  return eyeIsNear(view, cut) && (cut.sides || reachesMesh(prepared, view.eye, longestWay(view, cut)));
 }
 
-PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view, double distance) {
-  const HalfSpace before{view.forward, dot(view.forward, view.eye) + distance};
+PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view, const EyeCut& cut) {
+  const HalfSpace before{view.forward, dot(view.forward, view.eye) + cut.distance};
   PreparedScene part = cutScene(whole, partInside(whole.mesh.tetrahedra, whole.points, before));
+  if (cut.sides)
+    for (const double sign : {-1.0, 1.0}) {
+      keepInside(part, besideView(view, sign * view.right, kAside * view.halfWidth));
+      keepInside(part, besideView(view, sign * view.up, kAside * view.halfHeight));
+    }
+  part.frame.center += part.frame.radius * view.eye;
+  parallelFor(0, part.points.size(), 16384, [&](std::size_t p) { part.points[p] -= view.eye; });
   part.faces = buildFaces(part.mesh);
   return part;
+}
+
+View viewFromOrigin(View view) {
+  view.eye = view.center = Vec3{0};
+  return view;
 }
 
 }  // namespace havs
