@@ -20,7 +20,7 @@ HalfSpace halfSpace(const Vec3& localPoint, const Vec3& normal) {
   HalfSpace half;
   half.normal = scaled / length(scaled);
   half.offset = dot(half.normal, localPoint);
-  if (!std::isfinite(half.offset)) failInput("a plane is too far away", "clipping", "give it in mesh units");
+  if (!std::isfinite(half.offset)) failInput("a plane is too far away", "--clip-plane", "give it in mesh units");
   return half;
 }
 
@@ -115,20 +115,20 @@ bool asksForPart(const Scene& scene) {
 
 void checkClipping(const Scene& scene) {
   for (const ClipPlane& plane : scene.clipPlanes) {
-    check(isFinite(plane.point) && isFinite(plane.normal), "a number is not finite", "clip plane",
+    check(isFinite(plane.point) && isFinite(plane.normal), "a number is not finite", "--clip-plane",
           "give a point and a normal in mesh units");
-    check(plane.normal != Vec3{0}, "the normal has no length", "clip plane", "1,0,0 keeps what has the larger x");
+    check(plane.normal != Vec3{0}, "the normal has no length", "--clip-plane", "1,0,0 keeps what has the larger x");
   }
   for (const ClipBox& box : scene.clipBoxes) {
-    const std::string where = box.keepsInside ? "clip box" : "cut box";
+    const std::string where = box.keepsInside ? "--clip-box" : "--cut-box";
     check(isFinite(box.low) && isFinite(box.high), "a number is not finite", where, "give its ends in mesh units");
     check(all(lessThan(box.low, box.high)), "the box has no inside", where,
           "write the lower end before the upper one, along x, y and z");
   }
   if (!scene.threshold) return;
   const auto [low, high] = *scene.threshold;
-  check(std::isfinite(low) && std::isfinite(high), "a number is not finite", "threshold", "give two data values");
-  check(low <= high, fmt::format("{} is above {}", low, high), "threshold", "write the lower value first");
+  check(std::isfinite(low) && std::isfinite(high), "a number is not finite", "--threshold", "give two data values");
+  check(low <= high, fmt::format("{} is above {}", low, high), "--threshold", "write the lower value first");
 }
 
 void clip(PreparedScene& prepared, const Scene& scene, std::span<const double> values) {

@@ -188,12 +188,12 @@ TEST(ClipScene, RefusesWhatCannotBeMeant) {
   refused(scene, "normal has no length");
   scene = {};
   scene.clipBoxes = {{{0, 0, 0}, {1, 0, 1}}};
-  refused(scene, "clip box");
+  refused(scene, "--clip-box");
   scene.clipBoxes = {{{0, 0, 0}, {1, -1, 1}, false}};
-  refused(scene, "cut box");
+  refused(scene, "--cut-box");
   scene = {};
   scene.threshold = {1.0, 0.0};
-  refused(scene, "threshold");
+  refused(scene, "--threshold");
 }
 
 TEST(ClipScene, NormalsOfAnyLengthMeanTheSame) {
