@@ -9,7 +9,7 @@ struct EyeCut {
   /// direction, is kappa * distance / cos(a) of optical depth: on blunt fin by default, an error of the picture of 0.9
   /// times the distance (RMSE).
   double distance;
-  /// Whether what lies beside the view is cut off too, at twice its width and height.
+  /// Whether what lies beside the view is cut off too, far from the picture.
   bool sides;
 };
 

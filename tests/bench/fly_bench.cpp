@@ -61,6 +61,7 @@ nlohmann::ordered_json measure(const Options& options) {
     const View view = viewOf(scene, prepared);
     nlohmann::ordered_json row;
     row["frame"] = i;
+    row["camera"] = nlohmann::ordered_json::parse(describe(camera, prepared.frame, scene.width, scene.height));
     row["cut"] = needsEyeCut(prepared, view, chosen.native ? kEyeCutInDouble : kEyeCutInFloat);
     StageTimes stages;
     Drawing drawing;
