@@ -31,7 +31,7 @@ Segment segmentOfCell() {
   float most = max(max(cornerScalars.x, cornerScalars.y), max(cornerScalars.z, a.w));
   Segment segment;
   segment.scalarFront = clamp(scalar, 0.0, 1.0);
-  CellStretch stretch = stretchOf(weight.x, weight.y, weight.z, rates.x, rates.y, rates.z, segment.scalarFront,
+  CellStretch stretch = stretchOf(weight.x, weight.y, weight.z, 1.0, rates.x, rates.y, rates.z, segment.scalarFront,
                                   dot(rates, cornerScalars - a.w), least, most);
   segment.scalarBack = stretch.scalar;
   segment.length = stretch.length * length(along);

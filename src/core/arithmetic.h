@@ -113,6 +113,7 @@ struct Arithmetic {
 // what uses the types of that
 #include "core/exact.glsl"
 #include "core/integral_functions.glsl"
+#include "core/piecewise.glsl"
 #include "core/riemann.glsl"
 };
 

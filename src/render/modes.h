@@ -25,7 +25,9 @@ struct Mode {
   std::string name;
   std::string description;
   Gathering gathering = Gathering::composite;
-  Lookup measure;  ///< what a segment adds (Gathering::sum): four numbers that its shader names
+  /// What a segment adds (Gathering::sum): four numbers that its shader names.
+  Lookup measure;
+  std::string measureOfFewKnots;  ///< another shader for it, where cells hold few knots (fewKnots in render/plan.h)
   /// What a pixel holds before anything has been gathered.
   std::array<float, 4> start{0, 0, 0, 0};
   /// From what a pixel has gathered to its premultiplied colour, in place.

@@ -139,7 +139,9 @@ void checkRange(double value, double least, double most, const std::string& name
   }
 }
 
-std::string lookupFor(double knotsInCells) { return knotsInCells <= kFewKnots ? "exact" : "3d-normalised"; }
+bool fewKnots(double knotsInCells) { return knotsInCells <= kFewKnots; }
+
+std::string lookupFor(double knotsInCells) { return fewKnots(knotsInCells) ? "exact" : "3d-normalised"; }
 
 Lookup lookupOf(const Scene& scene) { return lookup(scene.lookup == kAutoLookup ? lookupFor(0) : scene.lookup); }
 
@@ -232,6 +234,8 @@ RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities&
     result.lookup = lookupOf(scene);
   } else {
     result.lookup = shown.measure;
+    if (!shown.measureOfFewKnots.empty() && fewKnots(facts.knotsInCells))
+      result.lookup.shader = shown.measureOfFewKnots;
   }
   result.way = wayOf(shown, result.visibility, capabilities);
   planLookup(result, scene, facts, capabilities);

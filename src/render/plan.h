@@ -88,6 +88,8 @@ void checkScene(const Scene& scene);
 /// What Scene::lookup `auto` stands for: `exact`, which needs no table and is right to float's rounding, where segments
 /// cross few knots (SceneFacts::knotsInCells); else `3d-normalised`, whose time does not depend on them.
 std::string lookupFor(double knotsInCells);
+/// Whether to go from knot to knot pays: at most two a cell.
+bool fewKnots(double knotsInCells);
 /// The row of the scene's lookup; of `auto` one that carries the same.
 Lookup lookupOf(const Scene& scene);
 

@@ -56,12 +56,11 @@ constexpr double kFloatError = 0x1p-21;
 /// Of the products of an edge function's terms: the rounding in double, as edgeLimit (raster/edge_function.h) has it.
 constexpr double kDoubleError = 16 * 0x1p-53;
 
-/// kValues: what is interpolated across a face; kOwn: functions that the drawer adds.
-template <int kValues, int kOwn = 0>
+/// kValues: what is interpolated across a face.
+template <int kValues>
 struct FaceBatch {
   static constexpr int kSum = 3, kNumerator = 4;  ///< behind the edges' functions; a numerator for each value
-  static constexpr int kFirstOwn = kNumerator + kValues;
-  static constexpr int kFunctions = kFirstOwn + kOwn;
+  static constexpr int kFunctions = kNumerator + kValues;
   using Doubles = double[kBatch];
   using Floats = float[kBatch];
 

@@ -29,6 +29,19 @@ TileGrid tileGrid(int width, int height, int side) {
 }
 
 void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, const Faces& faces, const TileGrid& grid) {
+  placePoints(mesh, pointCount, grid);
+  findBoxes(mesh.faces, faces.size());
+  parallelFor(0, faces.size(), kGrain,
+              [&](std::size_t f) { boxes_[f].boundary = faces.isBoundary(static_cast<Index>(f)) ? 1 : 0; });
+}
+
+void FaceBins::findTilesOfCells(const RasterMesh& mesh, std::size_t pointCount, std::size_t cellCount,
+                                const TileGrid& grid) {
+  placePoints(mesh, pointCount, grid);
+  findBoxes(mesh.cells, cellCount);
+}
+
+void FaceBins::placePoints(const RasterMesh& mesh, std::size_t pointCount, const TileGrid& grid) {
   grid_ = grid;
   pixels_.resize(pointCount);
   parallelFor(0, pointCount, kGrain, [&](std::size_t i) {
@@ -39,27 +52,36 @@ void FaceBins::findTiles(const RasterMesh& mesh, std::size_t pointCount, const F
     const auto [top, bottom] = pixelsAt(p.row, mesh.height);
     pixels_[i] = {left, top, right, bottom};
   });
+}
 
-  boxes_.resize(faces.size());
-  const float perSide = 1.0f / static_cast<float>(grid.side);
+/// Of faces or cells, by their corners.
+template <std::size_t kCorners>
+void FaceBins::findBoxes(const std::uint32_t (*corners)[kCorners], std::size_t count) {
+  boxes_.resize(count);
+  const float perSide = 1.0f / static_cast<float>(grid_.side);
   const auto tileOf = [&](std::int32_t pixel) {
     return static_cast<std::uint16_t>((static_cast<float>(pixel) + 0.5f) * perSide);
   };
   const TileBox none{1, 1, 0, 0, 0};
-  const TileBox all{0, 0, static_cast<std::uint16_t>(grid.across - 1), static_cast<std::uint16_t>(grid.down - 1), 0};
-  parallelFor(0, faces.size(), kGrain, [&](std::size_t f) {
-    const PixelBox &a = pixels_[mesh.faces[f][0]], &b = pixels_[mesh.faces[f][1]], &c = pixels_[mesh.faces[f][2]];
-    const std::int32_t left = std::min({a.left, b.left, c.left});
-    TileBox& box = boxes_[f];
-    if (left == kBehindEye) {
-      box = std::max({a.left, b.left, c.left}) == kBehindEye ? none : all;
-    } else {
-      const std::int32_t right = std::max({a.right, b.right, c.right});
-      const std::int32_t top = std::min({a.top, b.top, c.top}), bottom = std::max({a.bottom, b.bottom, c.bottom});
-      const bool empty = left > right || top > bottom;
-      box = empty ? none : TileBox{tileOf(left), tileOf(top), tileOf(right), tileOf(bottom), 0};
+  const TileBox all{0, 0, static_cast<std::uint16_t>(grid_.across - 1), static_cast<std::uint16_t>(grid_.down - 1), 0};
+  parallelFor(0, count, kGrain, [&](std::size_t i) {
+    PixelBox whole = pixels_[corners[i][0]];
+    std::int32_t mostLeft = whole.left;
+    for (std::size_t j = 1; j < kCorners; ++j) {
+      const PixelBox& p = pixels_[corners[i][j]];
+      whole.left = std::min(whole.left, p.left);
+      mostLeft = std::max(mostLeft, p.left);
+      whole.right = std::max(whole.right, p.right);
+      whole.top = std::min(whole.top, p.top);
+      whole.bottom = std::max(whole.bottom, p.bottom);
     }
-    box.boundary = faces.isBoundary(static_cast<Index>(f)) ? 1 : 0;
+    if (whole.left == kBehindEye) {
+      boxes_[i] = mostLeft == kBehindEye ? none : all;
+    } else {
+      const bool empty = whole.left > whole.right || whole.top > whole.bottom;
+      boxes_[i] =
+          empty ? none : TileBox{tileOf(whole.left), tileOf(whole.top), tileOf(whole.right), tileOf(whole.bottom), 0};
+    }
   });
 }
 

@@ -22,6 +22,9 @@ class FaceBins {
   /// Finds the tiles that each face may cover: those with a pixel centre in its bounding box.
   void findTiles(const RasterMesh& mesh, std::size_t pointCount, const Faces& faces, const TileGrid& grid);
 
+  /// The same of cells, RasterMesh::cells, in place of faces.
+  void findTilesOfCells(const RasterMesh& mesh, std::size_t pointCount, std::size_t cellCount, const TileGrid& grid);
+
   /// Counts the pairs for `order`, which must stay as it is until the last list is filled.
   void count(std::span<const Index> order);
   /// Fills the lists of tiles from `firstTile` on, as many as fit into `mostPairs` pairs, one at least; returns the
@@ -41,6 +44,9 @@ class FaceBins {
   struct PixelBox {
     std::int32_t left, top, right, bottom;
   };
+  void placePoints(const RasterMesh& mesh, std::size_t pointCount, const TileGrid& grid);
+  template <std::size_t kCorners>
+  void findBoxes(const std::uint32_t (*corners)[kCorners], std::size_t count);
   template <class Visit>
   void visitTiles(Index face, std::size_t firstTile, std::size_t lastTile, const Visit& visit) const;
 

@@ -1,6 +1,6 @@
 #pragma once
 // The faces of a tile on SIMD lanes: each is cut into stamps of 4 x 4 pixels, and what it covers of a stamp is handed
-// to the drawer, which makes of it what the picture is made of: fragments for a k-buffer (tile_kernel.h), segments or
+// to the drawer, which makes of it what the picture is made of: fragments for a k-buffer (tile_kernel.h), or
 // scalars that come in any order (gather_kernel.h).
 //
 // Which pixels a face covers is exact: where the edge functions in float come too near to zero for their sign to be
@@ -27,7 +27,6 @@ using SixteenNumbers [[gnu::vector_size(64)]] = float;
 
 /// A drawer derives from it and has
 ///   void prepareFace(int i)        face i of the batch, whose edges are known: sets batch_.value, or way to nothing
-///   void prepareFunctions()        then, its own functions of the batch (FaceBatch::kFirstOwn)
 ///   void drawCovered(int i, int stamp, int group, unsigned covered, const function&)
 ///                                  in the pixels of `covered`, a group of lanes of a stamp; function(n): the face's
 ///                                  n-th function at these pixels
@@ -80,11 +79,14 @@ class FaceRaster {
   /// Faces and their corners lie anywhere in memory: faces are fetched two batches ahead, corners one.
   /// Inlined early: g++ takes a function that only prefetches to do nothing, and leaves the call out.
   [[gnu::always_inline]] void fetchAhead(std::size_t i) const {
-    for (std::size_t f = i + 2 * kBatch; f < std::min(i + 3 * kBatch, tile_.faceCount); ++f)
-      __builtin_prefetch(tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit]);
-    for (std::size_t f = i + kBatch; f < std::min(i + 2 * kBatch, tile_.faceCount); ++f)
-      for (const std::uint32_t corner : tile_.mesh.faces[tile_.faces[f] & ~kBoundaryBit])
-        __builtin_prefetch(tile_.mesh.points + corner);
+    for (std::size_t f = i + 2 * kBatch; f < std::min(i + 3 * kBatch, tile_.faceCount); ++f) {
+      const std::uint32_t face = tile_.faces[f] & ~kBoundaryBit;
+      __builtin_prefetch(tile_.mesh.faces[face]);
+    }
+    for (std::size_t f = i + kBatch; f < std::min(i + 2 * kBatch, tile_.faceCount); ++f) {
+      const std::uint32_t face = tile_.faces[f] & ~kBoundaryBit;
+      for (const std::uint32_t corner : tile_.mesh.faces[face]) __builtin_prefetch(tile_.mesh.points + corner);
+    }
   }
 
   void drawBatch(const std::uint32_t* faces, int count) {
@@ -94,7 +96,6 @@ class FaceRaster {
     for (int i = 0; i < count; ++i)
       if (batch_.way[i] == FaceWay::stamps) drawer().prepareFace(i);
     batch_.findFunctions();
-    drawer().prepareFunctions();
     for (int i = 0; i < count; ++i) {
       if (batch_.way[i] == FaceWay::stamps) drawStamps(i);
       if (batch_.way[i] == FaceWay::pixelByPixel) drawPixelByPixel(i);

@@ -1,8 +1,9 @@
 #pragma once
-// Pictures whose parts come in any order: faces as they lie in memory, no k-buffer. A face that rays enter a cell
-// through gives the cell's segment, whose end is found from the cell alone (shaders/core/cell_exit.glsl); where only
-// the greatest or least scalar counts, its fragment is enough.
-#include "core/arithmetic.h"
+// Pictures whose parts come in any order: no order of the faces, no k-buffer. Of every cell, the segments of the rays
+// that cross it (cell_batch.h); or, where only the greatest or least scalar counts, the fragments of its faces.
+#include <bit>
+
+#include "render/native/cell_batch.h"
 #include "render/native/face_raster.h"
 #include "render/native/queue_segments.h"
 
@@ -11,165 +12,118 @@ namespace {
 
 /// The segments of all cells, into the queue.
 template <class Lanes>
-class SegmentGatherer : public FaceRaster<Lanes, FaceBatch<1, 3>, SegmentGatherer<Lanes>> {
-  using A = Arithmetic<Lanes>;
-  using Batch = FaceBatch<1, 3>;
-  using Raster = FaceRaster<Lanes, Batch, SegmentGatherer>;
-  friend Raster;
-  using Raster::batch_;
-  using Raster::clamped;
-  using Raster::kLanes;
-  using Raster::meanOf;
-  using Raster::tile_;
-  using typename Raster::Real;
+class SegmentGatherer {
+  using Real = typename Lanes::Real;
+  using Mask = typename Lanes::Mask;
+  static constexpr int kLanes = static_cast<int>(Lanes::kLanes);
+  static constexpr int kGroups = kStampPixels / kLanes;
+  static constexpr unsigned kGroupBits = kAllLanes >> (kStampPixels - kLanes);
+  using B = CellBatch;
 
-  /// The cell that rays enter through a face.
-  struct CellBehind {
-    const RasterPoint* corner = nullptr;  ///< not on the face; null: there is none
-    double scalar[4];                     ///< at the face's corners, and at that one
+  struct Segment {
+    Real scalarFront, scalarBack, length;
   };
-  /// How the weights of the face's corners change along the ray of the pixel (x, y) of the picture, per unit of depth:
-  /// rate[j][0] + (x - x0) rate[j][1] + (y - y0) rate[j][2].
-  struct Rates {
-    double rate[3][3];
+  struct Stretch {
+    Real entry, exit;
   };
-  using Segment = typename A::Segment;
+  /// A group of a stamp with pixels whose rays cross the cell.
+  struct Touched {
+    Stretch stretch;
+    float x, y;  ///< of the stamp, relative to the block
+    int stamp, group;
+    unsigned bits;
+  };
 
  public:
-  explicit SegmentGatherer(TileDraw& tile) : Raster(tile) {}
+  explicit SegmentGatherer(TileDraw& tile) : tile_(tile) {}
 
   void draw() {
-    this->drawFaces();
+    for (std::size_t i = 0; i < tile_.faceCount; i += kBatch) {
+      fetchAhead(i);
+      const int count = static_cast<int>(std::min<std::size_t>(kBatch, tile_.faceCount - i));
+      batch_.gather(tile_, tile_.faces + i, count);
+      batch_.prepare(tile_);
+      for (int c = 0; c < count; ++c)
+        if (batch_.drawn[c]) drawCell(c);
+    }
     tile_.flush(tile_);
   }
 
  private:
-  CellBehind cellBehind(const FaceCorners& corners, std::uint32_t face, bool entersFirst) const {
-    const RasterMesh& mesh = tile_.mesh;
-    const int side = entersFirst ? 0 : 1;
-    const std::uint32_t opposite = mesh.opposite[face][side];
-    CellBehind cell;
-    if (opposite == kNoCorner) return cell;
-    cell.corner = mesh.points + opposite;
-    for (int j = 0; j < 3; ++j)
-      cell.scalar[j] = mesh.cellData ? static_cast<double>(mesh.behind[face][side]) : corners.p[j]->scalar;
-    cell.scalar[3] = mesh.cellData ? cell.scalar[0] : cell.corner->scalar;
-    return cell;
+  [[gnu::always_inline]] void fetchAhead(std::size_t i) const {
+    for (std::size_t c = i + 2 * kBatch; c < std::min(i + 3 * kBatch, tile_.faceCount); ++c)
+      __builtin_prefetch(tile_.mesh.cells[tile_.faces[c]]);
+    for (std::size_t c = i + kBatch; c < std::min(i + 2 * kBatch, tile_.faceCount); ++c)
+      for (const std::uint32_t corner : tile_.mesh.cells[tile_.faces[c]])
+        __builtin_prefetch(tile_.mesh.points + corner);
   }
 
-  struct Range {
-    double least, most;
-  };
-  static Range rangeOf(const CellBehind& cell) {
-    Range range{cell.scalar[0], cell.scalar[0]};
-    for (int j = 1; j < 4; ++j) {
-      range.least = cell.scalar[j] < range.least ? cell.scalar[j] : range.least;
-      range.most = cell.scalar[j] > range.most ? cell.scalar[j] : range.most;
+  void drawCell(int c) {
+    for (int f = 0; f < B::kFunctions; ++f) {
+      perX_[f] = Real(batch_.perX[f][c]);
+      perY_[f] = Real(batch_.perY[f][c]);
+      for (int group = 0; group < kGroups; ++group)
+        inFirst_[f][group] =
+            (perX_[f] * Lanes::load(kLaneX + group * kLanes) + perY_[f] * Lanes::load(kLaneY + group * kLanes)) +
+            Real(batch_.atOrigin[f][c]);
     }
-    return range;
-  }
-
-  /// With d the corner behind, a weight's gradient is the cross product of the other two corners' places relative to d,
-  /// over the cell's volume; the ray goes along (x - x0, y - y0, 1) from the eye, or along depth. All rates are 0 for a
-  /// flat cell.
-  Rates ratesOf(const FaceCorners& corners, const RasterPoint& d, double x0, double y0) const {
-    double e[3][3];
-    for (int j = 0; j < 3; ++j) {
-      const RasterPoint& p = *corners.p[j];
-      e[j][0] = (p.x - x0 * p.w) - (d.x - x0 * d.w);
-      e[j][1] = (p.y - y0 * p.w) - (d.y - y0 * d.w);
-      e[j][2] = p.depth - d.depth;
-    }
-    double gradient[3][3];
-    for (int j = 0; j < 3; ++j)
-      for (int c = 0; c < 3; ++c) {
-        const double *b = e[(j + 1) % 3], *f = e[(j + 2) % 3];
-        gradient[j][c] = b[(c + 1) % 3] * f[(c + 2) % 3] - b[(c + 2) % 3] * f[(c + 1) % 3];
+    const int firstColumn = batch_.left[c] / kStampSide, lastColumn = batch_.right[c] / kStampSide;
+    const int firstRow = batch_.top[c] / kStampSide, lastRow = batch_.bottom[c] / kStampSide;
+    const int left = tile_.left - blockOf(tile_.left), top = tile_.top - blockOf(tile_.top);
+    int listed = 0;
+    for (int row = firstRow; row <= lastRow; ++row) {
+      const float y = static_cast<float>(top + row * kStampSide);
+      for (int group = 0; group < kGroups; ++group) {
+        Real inRow[B::kScalar];
+        for (int f = 0; f < B::kScalar; ++f) inRow[f] = perY_[f] * Real(y) + inFirst_[f][group];
+        for (int column = firstColumn; column <= lastColumn; ++column) {
+          const int stamp = row * tile_.stampsAcross + column;
+          const float x = static_cast<float>(left + column * kStampSide);
+          auto t = [&](int f) { return perX_[f] * Real(x) + inRow[f]; };
+          const Real entry = Lanes::most(Lanes::most(t(B::kFront), t(B::kFront + 1)),
+                                         Lanes::most(t(B::kFront + 2), Real(batch_.nearest[c])));
+          const Real exit = Lanes::least(Lanes::least(t(B::kBack), t(B::kBack + 1)),
+                                         Lanes::least(t(B::kBack + 2), Real(batch_.farthest[c])));
+          const unsigned bits = tile_.active[stamp] >> (group * kLanes) & kGroupBits & Lanes::bitsOf(exit > entry);
+          touched_[listed] = {{entry, exit}, x, y, stamp, group, bits};
+          listed += bits != 0 ? 1 : 0;  // without a branch, which would often be guessed wrong
+        }
       }
-    const double volume = e[0][0] * gradient[0][0] + e[0][1] * gradient[0][1] + e[0][2] * gradient[0][2];
-    const double scale = volume != 0 ? 1 / volume : 0;
-    const double across = tile_.mesh.parallelRays ? 0 : scale;
-    Rates rates;
-    for (int j = 0; j < 3; ++j) {
-      rates.rate[j][0] = gradient[j][2] * scale;
-      rates.rate[j][1] = gradient[j][0] * across;
-      rates.rate[j][2] = gradient[j][1] * across;
-    }
-    return rates;
-  }
-
-  void prepareFace(int i) {
-    const FaceCorners& corners = batch_.corners[i];
-    const CellBehind cell = cellBehind(corners, batch_.face[i], batch_.entersMesh[i]);
-    if (cell.corner == nullptr) {
-      batch_.way[i] = FaceWay::nothing;  // rays leave the mesh
-      return;
-    }
-    rates_[i] = ratesOf(corners, *cell.corner, batch_.originX[i] + 0.5, batch_.originY[i] + 0.5);
-    for (int j = 0; j < 3; ++j) {
-      batch_.value[0][j][i] = cell.scalar[j];
-      drop_[j][i] = static_cast<float>(cell.scalar[j] - cell.scalar[3]);
-      weightScale_[j][i] = static_cast<float>(batch_.error[j][i]);
-    }
-    const Range range = rangeOf(cell);
-    least_[i] = static_cast<float>(range.least);
-    most_[i] = static_cast<float>(range.most);
-  }
-
-  void prepareFunctions() {
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < kBatch; ++i) {
-        const double* rate = rates_[i].rate[j];
-        batch_.put(Batch::kFirstOwn + j, i, rate[0], rate[1], rate[2], 1);
+      if (listed > kMostListed || row == lastRow) {
+        for (int i = 0; i < listed; ++i) drawTouched(c, touched_[i]);
+        listed = 0;
       }
+    }
   }
 
-  template <class Function>
-  void drawCovered(int i, int stamp, int group, unsigned covered, const Function& function) {
-    const Real perSum = Real(1.0f) / function(Batch::kSum);
-    auto weight = [&](int j) { return clamped(function(j) * Real(weightScale_[j][i]) * perSum); };
-    const Real rateA = function(Batch::kFirstOwn), rateB = function(Batch::kFirstOwn + 1),
-               rateC = function(Batch::kFirstOwn + 2);
-    const Real rate = Real(drop_[0][i]) * rateA + Real(drop_[1][i]) * rateB + Real(drop_[2][i]) * rateC;
-    const Real front = clamped(Real(batch_.value0[0][i]) + function(Batch::kNumerator) * perSum);
-    const typename A::CellStretch stretch = A::stretchOf(weight(0), weight(1), weight(2), rateA, rateB, rateC, front,
-                                                         rate, Real(least_[i]), Real(most_[i]));
-    queue(stamp, group, covered, front, stretch);
-  }
-
-  /// Rates are those of the sense that the pixel sees the face in.
-  void drawHit(int i, int stamp, int pixel, const FaceHit& hit) {
-    const FaceCorners& corners = batch_.corners[i];
-    const CellBehind cell = cellBehind(corners, batch_.face[i], (hit.sign < 0) != corners.reversed);
-    if (cell.corner == nullptr) return;
-    const double x = tile_.left + stamp % tile_.stampsAcross * kStampSide + pixel % kStampSide + 0.5;
-    const double y = tile_.top + stamp / tile_.stampsAcross * kStampSide + pixel / kStampSide + 0.5;
-    const Rates rates = ratesOf(corners, *cell.corner, x, y);
-    double rate = 0;
-    for (int j = 0; j < 3; ++j) rate += rates.rate[j][0] * (cell.scalar[j] - cell.scalar[3]);
-    const auto real = [](double value) { return Real(static_cast<float>(value)); };
-    const auto weight = [&](double of) { return clamped(real(of / (hit.a + hit.b + hit.c))); };
-    const Real front = clamped(real(meanOf(hit, cell.scalar[0], cell.scalar[1], cell.scalar[2])));
-    const Range range = rangeOf(cell);
-    const typename A::CellStretch stretch =
-        A::stretchOf(weight(hit.a), weight(hit.b), weight(hit.c), real(rates.rate[0][0]), real(rates.rate[1][0]),
-                     real(rates.rate[2][0]), front, real(rate), real(range.least), real(range.most));
-    queue(stamp, pixel / kLanes, 1u << pixel % kLanes, front, stretch);
-  }
-
-  void queue(int stamp, int group, unsigned bits, Real front, const typename A::CellStretch& stretch) {
+  /// u = w0 t / (1 - t), for parallel rays t.
+  void drawTouched(int c, const Touched& touched) {
+    const auto& [entry, exit] = touched.stretch;
+    auto function = [&](int f) {
+      return perX_[f] * Real(touched.x) + (perY_[f] * Real(touched.y) + inFirst_[f][touched.group]);
+    };
+    const Real bend = Real(tile_.mesh.parallelRays ? 0.0f : 1.0f);
+    const Real toEntry = Real(1.0f) - bend * entry, toExit = Real(1.0f) - bend * exit;
+    const Real scale = Real(static_cast<float>(tile_.mesh.fixedDistance)) / (toEntry * toExit);
+    const Real scalar = function(B::kScalar), rate = function(B::kRate);
+    auto clamped = [&](Real s) {
+      return Lanes::least(Lanes::most(s, Real(batch_.leastScalar[c])), Real(batch_.mostScalar[c]));
+    };
+    const int firstPixel = touched.stamp * kStampPixels + touched.group * kLanes;
     Segment segment;
-    segment.scalarFront = front;
-    segment.scalarBack = stretch.scalar;
-    segment.length = stretch.length * Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
-    bits &= Lanes::bitsOf(segment.length > Real(0.0f));
-    if (bits != 0) queueSegment<Lanes, 1>(tile_, segment, bits, stamp * kStampPixels + group * kLanes);
+    segment.scalarFront = clamped(scalar + rate * (entry * toExit * scale));
+    segment.scalarBack = clamped(scalar + rate * (exit * toEntry * scale));
+    segment.length = (exit - entry) * scale * Lanes::load(tile_.rayScale + firstPixel);
+    tile_.fragments += static_cast<unsigned>(std::popcount(touched.bits));
+    queueSegment<Lanes, 1>(tile_, segment, touched.bits, firstPixel);
   }
 
-  Rates rates_[kBatch]{};
-  float drop_[3][kBatch];         ///< from a corner's scalar to that behind
-  float weightScale_[3][kBatch];  ///< edge functions are kept as multiples of their error
-  float least_[kBatch], most_[kBatch];
+  static constexpr int kMostListed = 32;  ///< before they are drawn; and those of another row of stamps
+  TileDraw& tile_;
+  CellBatch batch_{};
+  Real perX_[B::kFunctions], perY_[B::kFunctions];
+  Real inFirst_[B::kFunctions][kGroups];  ///< a cell's functions at the pixels of the block's first stamp
+  Touched touched_[kMostListed + kLargestTileStamps * kGroups + 1];
 };
 
 /// The greatest or the least scalar of all fragments, kept in TileDraw::state, into the first number of each pixel.
@@ -211,7 +165,6 @@ class ExtremeGatherer : public FaceRaster<Lanes, FaceBatch<1>, ExtremeGatherer<L
     }
     for (int j = 0; j < 3; ++j) batch_.value[0][j][i] = scalarAt(i, batch_.entersMesh[i], j);
   }
-  void prepareFunctions() {}
 
   template <class Function>
   void drawCovered(int i, int stamp, int group, unsigned covered, const Function& function) {

@@ -22,13 +22,14 @@ void planMesh(RenderPlan& plan, const SceneFacts& facts) {
   addItem(plan, PlanKind::vertexData, "points in the picture", "order", "faces are drawn from them", kBytesPerPoint,
           "point", facts.points);
   const bool colors = plan.lookup.carries == Payload::color;
-  if (facts.cellData)
+  if (facts.cellData && plan.gathering != Gathering::sum)
     addItem(plan, PlanKind::vertexData, colors ? "colours behind faces" : "scalars behind faces", "",
             "the field belongs to the cells", colors ? 32 : 8, "face", facts.faces);
   if (colors && !facts.cellData)
     addItem(plan, PlanKind::vertexData, "colour and extinction", "",
             "the lookup '" + plan.lookup.name + "' has fragments carry them", 16, "point", facts.points);
-  addItem(plan, PlanKind::pass, "points into the picture, faces into tiles", "order", "each tile has its own faces");
+  addItem(plan, PlanKind::pass, "points into the picture, faces or cells into tiles", "order",
+          "each tile draws its own");
 }
 
 void planKernels(RenderPlan& plan, const std::string& tiles, const std::string& reason) {
@@ -60,8 +61,9 @@ void planNativeGathering(RenderPlan& plan, const Scene&, const SceneFacts& facts
   const std::string reason = "the mode " + plan.mode;
   planMesh(plan, facts);
   if (plan.gathering == Gathering::sum) {
-    addItem(plan, PlanKind::vertexData, "corners behind faces", "",
-            "a face's fragment finds where its ray leaves the cell", 8, "face", facts.faces);
+    if (facts.cellData)
+      addItem(plan, PlanKind::vertexData, "scalars of cells", "", "the field belongs to the cells", 4, "cell",
+              facts.cells);
     planKernels(plan, "segments of cells", reason + " adds up what they measure");
   } else {
     planKernels(plan, plan.gathering == Gathering::greatest ? "greatest scalar" : "least scalar", reason);

@@ -10,7 +10,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/corners_behind.h"
 #include "render/fragment_values.h"
 #include "render/make_renderer.h"
 #include "render/native/kernels.h"
@@ -24,8 +23,10 @@ namespace {
 /// (Tile, face) pairs that are kept at once, 4 bytes each: many more than faces only where faces cover many tiles.
 constexpr std::size_t kMostPairs = std::size_t{1} << 25;
 
+constexpr double kLeastDistance = 0.25;  // of the plane that depths are relative to, in radii
+
 static_assert(sizeof(std::array<Index, 3>) == sizeof(std::uint32_t[3]));
-static_assert(kNoIndex == kNoCorner);
+static_assert(sizeof(Tetrahedron) == sizeof(std::uint32_t[4]));
 
 class NativeRenderer final : public Renderer {
  public:
@@ -38,7 +39,7 @@ class NativeRenderer final : public Renderer {
       setting_.shader = &*shader_;
     }
     if (plan.sort.empty()) {
-      order_.faces.resize(prepared.faces.size());
+      order_.faces.resize(plan.gathering == Gathering::sum ? prepared.mesh.tetrahedra.size() : prepared.faces.size());
       std::iota(order_.faces.begin(), order_.faces.end(), Index{0});
     } else {
       sorter_ = makeSceneSorter(prepared, plan.sort, PartOrder::itsOwn);
@@ -53,6 +54,10 @@ class NativeRenderer final : public Renderer {
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     mesh_.parallelRays = view.orthographic;
+    // Before the eye, and where the mesh is: differences of depths keep their digits also for a distant eye.
+    const double eyeDepth = view.depth(view.center);
+    mesh_.fixedDepth = view.orthographic ? 0 : std::max(0.0, eyeDepth + kLeastDistance);
+    mesh_.fixedDistance = view.orthographic ? 1 : mesh_.fixedDepth - eyeDepth;
     mesh_.width = view.width;
     mesh_.height = view.height;
     const TileGrid grid = tileGrid(view.width, view.height, plan_.tileWidth);
@@ -64,7 +69,11 @@ class NativeRenderer final : public Renderer {
           },
           [&] {
             placePoints(view);
-            bins_.findTiles(mesh_, points_.size(), prepared_.faces, grid);
+            if (mesh_.cells != nullptr) {
+              bins_.findTilesOfCells(mesh_, points_.size(), prepared_.mesh.tetrahedra.size(), grid);
+            } else {
+              bins_.findTiles(mesh_, points_.size(), prepared_.faces, grid);
+            }
           });
     }
     bool late = false;
@@ -128,8 +137,10 @@ class NativeRenderer final : public Renderer {
     setting_.start = plan_.start;
     setting_.certificate = plan_.certificate;
     if (!setting_.adds) return;
-    opposite_ = cornersBehindFaces(prepared_);
-    mesh_.opposite = reinterpret_cast<const std::uint32_t(*)[2]>(opposite_.data());
+    mesh_.cells = reinterpret_cast<const std::uint32_t(*)[4]>(prepared_.mesh.tetrahedra.data());
+    if (!prepared_.facts().cellData) return;
+    ofCells_.assign(prepared_.scalars.begin(), prepared_.scalars.end());
+    mesh_.ofCells = ofCells_.data();
   }
 
   void finish(Image& image) const {
@@ -149,7 +160,7 @@ class NativeRenderer final : public Renderer {
         colors_ = colorsOfPoints(prepared_);
         mesh_.colors = reinterpret_cast<const float(*)[4]>(colors_.data());
       }
-    } else if (mesh_.cellData) {
+    } else if (mesh_.cellData && mesh_.cells == nullptr) {
       behind_ = scalarsBehindFaces(prepared_);
       mesh_.behind = reinterpret_cast<const float(*)[2]>(behind_.data());
     }
@@ -198,9 +209,9 @@ class NativeRenderer final : public Renderer {
   TileSetting setting_;
   RasterMesh mesh_{};
   std::vector<RasterPoint> points_;
-  std::vector<std::array<float, 2>> behind_;    // cell data
-  std::vector<std::array<Index, 2>> opposite_;  // Gathering::sum
-  std::vector<ColorAndExtinction> colors_;      // Payload::color
+  std::vector<std::array<float, 2>> behind_;  // cell data
+  std::vector<float> ofCells_;                // cell data, Gathering::sum
+  std::vector<ColorAndExtinction> colors_;    // Payload::color
   std::vector<std::array<ColorAndExtinction, 2>> colorsBehind_;
   FaceOrder order_;
   FaceBins bins_;

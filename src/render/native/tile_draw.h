@@ -28,14 +28,14 @@ struct RasterMesh {
   const std::uint32_t (*faces)[3];  ///< corners; the normal points out of the mesh where the face is on its boundary
   const float (*behind)[2];  ///< cell data: scalars behind each face as seen from its front and its back; or null
   const float (*colors)[4];  ///< Payload::color: of the points, or of both sides of the faces (cell data); or null
-  /// Of the cells behind each face as seen from its front and its back, the corner that is not on it (kNoCorner: there
-  /// is no cell); null where segments come from pairs of faces.
-  const std::uint32_t (*opposite)[2];
+  const std::uint32_t (*cells)[4];  ///< corners, where cells are drawn instead of faces; or null
+  const float* ofCells;             ///< then, cell data: their scalars; or null
+  double fixedDepth;                ///< of a plane across the view that depths are taken relative to, and its
+  double fixedDistance;             ///< distance from the eye, > 0; 1 for parallel rays
   bool cellData;
   bool parallelRays;
   int width, height;  ///< of the picture
 };
-inline constexpr std::uint32_t kNoCorner = 0xFFFFFFFFu;
 
 /// A face of a tile's list: its number, and whether it is on the mesh's boundary.
 inline constexpr std::uint32_t kBoundaryBit = 0x80000000u;

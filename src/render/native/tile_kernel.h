@@ -103,7 +103,6 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
       for (int j = 0; j < 3; ++j) batch_.value[1 + a][j][i] = value[j];
     }
   }
-  void prepareFunctions() {}
 
   /// Attribute `a` at the three corners.
   void attributesOf(const FaceCorners& corners, std::uint32_t face, bool entersMesh, int a, double* value) const {
