@@ -4,6 +4,7 @@
 
 #include "gl/limits.h"
 #include "render/eye_cut_renderer.h"
+#include "reference/reference_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
 
@@ -36,6 +37,10 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
   return rendererForAnyEye(prepared, plan, stages, progress, makePartRenderer);
+}
+
+std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
+  return makeReferenceRenderer(prepared, mode(scene.mode).reference);
 }
 
 }  // namespace havs

@@ -21,4 +21,7 @@ ViewPoint viewPointOf(const View& view);
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress = {});
 
+/// The ground truth of a scene, which must outlive it as `prepared` must: the same picture, in double.
+std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared);
+
 }  // namespace havs

@@ -9,7 +9,6 @@
 #include "core/memory.h"
 #include "core/parallel.h"
 #include "reference/edge_mask.h"
-#include "reference/reference_renderer.h"
 #include "render/devices.h"
 #include "render/k_search.h"
 #include "render/make_renderer.h"
@@ -152,7 +151,7 @@ RenderPlan planScene(const Scene& scene, const Progress& progress) {
 RenderReport drawReference(const Scene& scene, bool edgeMask, const Progress& progress) {
   return reportOf(scene, progress, [&](const PreparedScene& prepared, const View& view, RenderReport& report) {
     report.reference = true;
-    const auto renderer = makeReferenceRenderer(prepared, mode(scene.mode).reference);
+    const auto renderer = makeReference(scene, prepared);
     drawRepeatedly(*renderer, scene, view, report, progress);
     if (edgeMask) report.edgeMask = boundaryEdgeMask(prepared.points, prepared.faces, view);
   });

@@ -62,7 +62,7 @@ const Pair& AgainstReference::draw(Scene scene) {
   pair.view = makeView(scene.camera, pair.prepared.frame, scene.width, scene.height);
   const RenderPlan chosen = plan(scene, pair.prepared.facts(), capabilitiesOf(*device_));
   pair.picture = makeRenderer(pair.prepared, chosen, stages)->draw(pair.view, stages);
-  pair.truth = makeReferenceRenderer(pair.prepared)->draw(pair.view, stages).image;
+  pair.truth = makeReference(scene, pair.prepared)->draw(pair.view, stages).image;
   pair.mask = boundaryEdgeMask(pair.prepared.points, pair.prepared.faces, pair.view);
   pair.comparison = compareImages(pair.picture.image, pair.truth, pair.mask);
   return pair;

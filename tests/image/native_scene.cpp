@@ -4,7 +4,6 @@
 
 #include <bit>
 
-#include "reference/reference_renderer.h"
 #include "render/devices.h"
 #include "render/make_renderer.h"
 #include "support/meshes.h"
@@ -35,7 +34,7 @@ havs::Drawing NativeScene::draw(const PlanChange& change) const { return drawAs(
 
 Image NativeScene::truth() const {
   StageTimes stages;
-  return makeReferenceRenderer(prepared)->draw(view, stages).image;
+  return makeReference(scene, prepared)->draw(view, stages).image;
 }
 
 Comparison NativeScene::againstTruth() const { return compareImages(draw().image, truth()); }
