@@ -38,14 +38,14 @@ TEST_F(Render, JsonHoldsEveryKey) {
   const auto json = nlohmann::json::parse(render({"-o", "a.png", "--json"}));
   EXPECT_THAT(keysOf(json),
               testing::UnorderedElementsAre("mesh", "field", "settings", "device", "cycles", "stages_ms", "frame_ms",
-                                            "cpu_ms", "peak_memory_bytes", "defects", "notes", "outputs"));
+                                            "ledger", "cpu_ms", "peak_memory_bytes", "defects", "notes", "outputs"));
   EXPECT_THAT(keysOf(json["stages_ms"]), testing::IsSupersetOf({"read", "faces", "order", "upload", "table", "draw",
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
-              testing::UnorderedElementsAre("transfer_function", "clip_plane", "clip_box", "cut_box", "threshold",
-                                            "camera", "size", "background", "visibility", "k", "k_auto", "sort",
-                                            "lookup", "table", "table_format", "target_format", "early_termination",
-                                            "composite_late", "threads", "repeat"));
+              testing::UnorderedElementsAre("transfer_function", "mode", "clip_plane", "clip_box", "cut_box",
+                                            "threshold", "camera", "size", "background", "visibility", "k", "k_auto",
+                                            "sort", "lookup", "table", "table_format", "target_format",
+                                            "early_termination", "composite_late", "threads", "repeat"));
 }
 
 // The unit cube as it is wanted: half of it, nothing of it, from the middle of it.
