@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "gl/limits.h"
-#include "render/eye_cut_renderer.h"
 #include "reference/reference_renderer.h"
+#include "render/eye_cut_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
 
