@@ -97,6 +97,10 @@ const Form kRange{"two numbers, as [0, 1]", listSchema("number", 2),
                   [](const Json& value, const Folder&) { return numbersToText(value, 2, ','); },
                   [](const std::string& text, const Folder&) { return numbersFromText(text, 2, ','); }};
 
+const Form kSixNumbers{"a list of six numbers, or a list of such lists", listSchema("number", 6),
+                       [](const Json& value, const Folder&) { return numbersToText(value, 6, ','); },
+                       [](const std::string& text, const Folder&) { return numbersFromText(text, 6, ','); }};
+
 const Form kColor{
     "a name, '#rrggbb', [r, g, b] from 0 to 1, or null for none",
     {{"anyOf", {{{"type", {"string", "null"}}}, listSchema("number", 3)}}},
@@ -131,6 +135,7 @@ const Form kCountOrAuto{"a whole number, or \"auto\"",
                         }};
 
 using Text = std::optional<std::string> SceneOptions::*;
+using Texts = std::vector<std::string> SceneOptions::*;
 using Number = std::optional<double> SceneOptions::*;
 using Count = std::optional<int> SceneOptions::*;
 using Name = std::string SceneOptions::*;
@@ -139,8 +144,8 @@ using Flag = bool SceneOptions::*;
 struct Key {
   const char* name;
   const char* option;  ///< of the command line, for the schema
-  std::variant<Text, Number, Count, Name, Flag> member;
-  const Form* form = &kText;  ///< of texts
+  std::variant<Text, Texts, Number, Count, Name, Flag> member;
+  const Form* form = &kText;  ///< of texts; of several, of each
 };
 
 const std::vector<Key>& keys() {
@@ -154,6 +159,10 @@ const std::vector<Key>& keys() {
       {"unit_length", "--unit-length", &S::unitLength},
       {"domain", "--domain", &S::domain, &kRange},
       {"mode", "--mode", &S::mode},
+      {"clip_plane", "--clip-plane", &S::clipPlanes, &kSixNumbers},
+      {"clip_box", "--clip-box", &S::clipBoxes, &kSixNumbers},
+      {"cut_box", "--cut-box", &S::cutBoxes, &kSixNumbers},
+      {"threshold", "--threshold", &S::threshold, &kRange},
       {"size", "--size", &S::size, &kSize},
       {"camera", "--camera", &S::camera, &kCamera},
       {"projection", "--projection", &S::projection},
@@ -199,6 +208,15 @@ struct Reader {
     const std::string read = text();
     if (!(options.*member)) options.*member = read;
   }
+  /// A list of values, or one value.
+  void operator()(Texts member) const {
+    std::vector<std::string> texts;
+    const bool several =
+        value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_array(); });
+    for (const Json& one : several ? value : Json::array({value}))
+      texts.push_back(Reader{options, key, one, file}.text());
+    if ((options.*member).empty()) options.*member = texts;
+  }
   void operator()(Name member) const {
     const std::string read = text();
     if ((options.*member).empty()) options.*member = read;
@@ -228,6 +246,11 @@ struct Writer {
   std::optional<Json> operator()(Text member) const {
     return options.*member ? std::optional(key.form->fromText(*(options.*member), folder)) : std::nullopt;
   }
+  std::optional<Json> operator()(Texts member) const {
+    Json list = Json::array();
+    for (const std::string& text : options.*member) list.push_back(key.form->fromText(text, folder));
+    return list.empty() ? std::nullopt : std::optional(list);
+  }
   std::optional<Json> operator()(Name member) const {
     return (options.*member).empty() ? std::nullopt : std::optional(key.form->fromText(options.*member, folder));
   }
@@ -245,6 +268,9 @@ struct Writer {
 struct SchemaOf {
   const Key& key;
   Json operator()(Text) const { return key.form->schema; }
+  Json operator()(Texts) const {
+    return {{"anyOf", {key.form->schema, {{"type", "array"}, {"items", key.form->schema}}}}};
+  }
   Json operator()(Name) const { return key.form->schema; }
   Json operator()(Number) const { return {{"type", "number"}}; }
   Json operator()(Count) const { return {{"type", "integer"}}; }

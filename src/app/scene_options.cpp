@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/clip_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
@@ -206,6 +207,7 @@ void setMethod(Scene& scene, const SceneOptions& options) {
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addInputOptions(command, options);
+  addClipOptions(command, options);
   addTransferOptions(command, options);
   addPictureOptions(command, options);
   addMethodOptions(command, options);
@@ -224,6 +226,7 @@ Scene makeScene(const SceneOptions& options) {
   if (options.mode) scene.mode = known("--mode", *options.mode, namesOf(modes()));
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
+  setClipping(scene, options);
   setCamera(scene, options);
   setMethod(scene, options);
   checkScene(scene);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -15,6 +16,8 @@ struct SceneOptions {
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
   std::optional<int> tableSize, threads, repeat;
+  std::optional<std::string> threshold;
+  std::vector<std::string> clipPlanes, clipBoxes, cutBoxes;
   bool compositeLate = false;
   bool paper = false;
 };

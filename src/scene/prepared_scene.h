@@ -45,10 +45,11 @@ PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progres
 /// Prepares a mesh that is in memory already (tests, studies).
 PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages);
 
-/// The view of the scene's camera. Throws Error{input}: as makeView, and for a camera inside the mesh.
+/// The view of the scene's camera. Throws Error{input} as makeView.
 View viewOf(const Scene& scene, const PreparedScene& prepared);
 
-/// Whether a point of the local frame lies in a cell, its boundary included. Parallel.
-bool insideMesh(const PreparedScene& prepared, const Vec3& point);
+/// Whether a point of the local frame lies in a cell, its boundary included, or beyond no side of one by more than
+/// `reach`. Parallel.
+bool reachesMesh(const PreparedScene& prepared, const Vec3& point, double reach = 0);
 
 }  // namespace havs

@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "scene/camera.h"
 #include "scene/lighting.h"
+#include "scene/clipping.h"
 
 namespace havs {
 
@@ -25,6 +26,9 @@ struct Scene {
   std::string transferFunction = "viridis";     ///< preset or file
   std::optional<double> unitLength;             ///< mesh units; overrides the transfer function's
   std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
+  std::vector<ClipPlane> clipPlanes;            ///< what is in all of these and of the boxes is drawn
+  std::vector<ClipBox> clipBoxes;
+  std::optional<std::array<double, 2>> threshold;  ///< in the data's unit, both included: other cells are holes
   int width = 1024;
   int height = 1024;
   Camera camera;

@@ -63,6 +63,26 @@ INSTANTIATE_TEST_SUITE_P(
     nameOfCase);
 
 INSTANTIATE_TEST_SUITE_P(
+    Clipping, BadOption,
+    testing::Values(Refused{"PlaneOfFive", rendering({"--clip-plane", "0,0,0,1,0"}), "X,Y,Z,NX,NY,NZ"},
+                    Refused{"PlaneOfSeven", rendering({"--clip-plane", "0,0,0,1,0,0,0"}), "X,Y,Z,NX,NY,NZ"},
+                    Refused{"PlaneOfText", rendering({"--clip-plane", "x"}), "X,Y,Z,NX,NY,NZ"},
+                    Refused{"PlaneWithoutNormal", rendering({"--clip-plane", "0,0,0,0,0,0"}), "normal has no length"},
+                    Refused{"PlaneNaN", rendering({"--clip-plane", "nan,0,0,1,0,0"}), "not finite"},
+                    Refused{"PlaneInfinite", rendering({"--clip-plane", "0,0,0,inf,0,0"}), "not finite"},
+                    Refused{"SecondOfTwoPlanes",
+                            rendering({"--clip-plane", "0,0,0,1,0,0", "--clip-plane", "0,0,0,0,0,0"}),
+                            "normal has no length"},
+                    Refused{"BoxOfFive", rendering({"--clip-box", "0,1,0,1,0"}), "X0,X1,Y0,Y1,Z0,Z1"},
+                    Refused{"BoxTurnedOver", rendering({"--clip-box", "1,0,0,1,0,1"}), "lower end"},
+                    Refused{"BoxWithoutInside", rendering({"--cut-box", "0,1,0.5,0.5,0,1"}), "--cut-box"},
+                    Refused{"ThresholdOfOne", rendering({"--threshold", "1"}), "LOW,HIGH"},
+                    Refused{"ThresholdOfText", rendering({"--threshold", "low,high"}), "LOW,HIGH"},
+                    Refused{"ThresholdTurnedOver", rendering({"--threshold", "2,1"}), "lower value first"},
+                    Refused{"ThresholdNaN", rendering({"--threshold", "0,nan"}), "not finite"}),
+    nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
     Method, BadOption,
     testing::Values(Refused{"Device", rendering({"--device", "osmsa"}), "'osmesa'"},
                     Refused{"Sort", rendering({"--sort", "centriod"}), "'centroid'"},
