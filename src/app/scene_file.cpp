@@ -134,6 +134,36 @@ const Form kCountOrAuto{"a whole number, or \"auto\"",
                           return number.is_number_integer() ? number : Json(text);
                         }};
 
+/// "name=value,name=value"
+std::optional<std::string> settingsToText(const Json& value, const Folder&) {
+  if (value == "default") return "default";
+  if (!value.is_object()) return std::nullopt;
+  std::string text;
+  for (const auto& [name, number] : value.items()) {
+    if (!number.is_number()) return std::nullopt;
+    text += (text.empty() ? "" : ",") + name + "=" + number.dump();
+  }
+  return text.empty() ? "default" : text;
+}
+Json settingsFromText(const std::string& text, const Folder&) {
+  if (text == "default") return text;
+  Json object = Json::object();
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) return text;
+    Json number = Json::parse(part.substr(equals + 1), nullptr, false);
+    if (!number.is_number()) return text;
+    object[part.substr(0, equals)] = std::move(number);
+  }
+  return object;
+}
+const Form kSettings{
+    "\"default\", or an object of numbers",
+    {{"anyOf", {{{"const", "default"}}, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}}}}},
+    settingsToText,
+    settingsFromText};
+
 using Text = std::optional<std::string> SceneOptions::*;
 using Texts = std::vector<std::string> SceneOptions::*;
 using Number = std::optional<double> SceneOptions::*;
@@ -163,6 +193,12 @@ const std::vector<Key>& keys() {
       {"clip_box", "--clip-box", &S::clipBoxes, &kSixNumbers},
       {"cut_box", "--cut-box", &S::cutBoxes, &kSixNumbers},
       {"threshold", "--threshold", &S::threshold, &kRange},
+      {"lighting", "--lighting", &S::lighting, &kSettings},
+      {"light", "--light", &S::lights},
+      {"shadows", "--shadows", &S::shadows},
+      {"occlusion", "--occlusion", &S::occlusion, &kSettings},
+      {"scattering", "--scattering", &S::scattering, &kSettings},
+      {"modulation", "--modulation", &S::modulation},
       {"size", "--size", &S::size, &kSize},
       {"camera", "--camera", &S::camera, &kCamera},
       {"projection", "--projection", &S::projection},
@@ -211,8 +247,9 @@ struct Reader {
   /// A list of values, or one value.
   void operator()(Texts member) const {
     std::vector<std::string> texts;
-    const bool several =
-        value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_array(); });
+    const bool several = value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& one) {
+                           return one.is_array() || one.is_string();
+                         });
     for (const Json& one : several ? value : Json::array({value}))
       texts.push_back(Reader{options, key, one, file}.text());
     if ((options.*member).empty()) options.*member = texts;

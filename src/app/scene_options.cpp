@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "app/clip_options.h"
+#include "app/light_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
@@ -208,6 +209,7 @@ void setMethod(Scene& scene, const SceneOptions& options) {
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addInputOptions(command, options);
   addClipOptions(command, options);
+  addLightOptions(command, options);
   addTransferOptions(command, options);
   addPictureOptions(command, options);
   addMethodOptions(command, options);
@@ -227,6 +229,7 @@ Scene makeScene(const SceneOptions& options) {
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
   setClipping(scene, options);
+  setLight(scene, options);
   setCamera(scene, options);
   setMethod(scene, options);
   checkScene(scene);

@@ -20,6 +20,10 @@ struct SceneOptions {
   std::vector<std::string> clipPlanes, clipBoxes, cutBoxes;
   bool compositeLate = false;
   bool paper = false;
+  std::optional<std::string> lighting, occlusion, scattering;
+  std::vector<std::string> lights;
+  std::optional<double> modulation;
+  bool shadows = false;
 };
 
 /// Adds INPUT and all options of a scene to a command. The help of an option that names a row of a table lists the

@@ -40,6 +40,7 @@ std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const Rend
 }
 
 std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
+  if (isLit(scene)) return makeLitReferenceRenderer(prepared, lightPlanOf(scene));
   return makeReferenceRenderer(prepared, mode(scene.mode).reference);
 }
 

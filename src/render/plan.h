@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/light_plan.h"
+#include "light/light_plan.h"
 #include "render/lookups.h"
 #include "render/modes.h"
 #include "render/plan_item.h"
@@ -92,8 +92,9 @@ void checkScene(const Scene& scene);
 std::string lookupFor(double knotsInCells);
 /// Whether to go from knot to knot pays: at most two a cell.
 bool fewKnots(double knotsInCells);
-/// Light: whether fragments carry any, its part of the plan, and of the checks (render/light_plan.cpp).
+/// Light: whether fragments carry any, its part of the plan, and of the checks (render/plan_light.cpp).
 bool isLit(const Scene& scene);
+LightPlan lightPlanOf(const Scene& scene);
 void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts);
 void checkLight(const Scene& scene);
 

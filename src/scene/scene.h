@@ -6,8 +6,8 @@
 
 #include "image/image.h"
 #include "scene/camera.h"
-#include "scene/lighting.h"
 #include "scene/clipping.h"
+#include "scene/lighting.h"
 
 namespace havs {
 

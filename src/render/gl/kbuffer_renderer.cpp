@@ -16,7 +16,7 @@
 #include "render/gl/renderers.h"
 #include "render/gl/stage_sum.h"
 #include "render/gl/tile.h"
-#include "render/light_data.h"
+#include "light/light_data.h"
 #include "render/make_renderer.h"
 #include "render/scene_sorter.h"
 

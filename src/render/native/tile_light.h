@@ -1,5 +1,5 @@
 #pragma once
-// The light of fragments as the tile kernels need it: plain data (render/light_plan.h, render/light_data.h).
+// The light of fragments as the tile kernels need it: plain data (light/light_plan.h, light/light_data.h).
 namespace havs {
 
 inline constexpr int kMostTileLights = 4;

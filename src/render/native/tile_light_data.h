@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "render/light_data.h"
-#include "render/light_plan.h"
+#include "light/light_data.h"
+#include "light/light_plan.h"
 #include "render/native/tile_light.h"
 #include "scene/view.h"
 

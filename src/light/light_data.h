@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/stage_times.h"
-#include "render/light_plan.h"
+#include "light/light_plan.h"
 #include "scene/prepared_scene.h"
 #include "scene/view.h"
 

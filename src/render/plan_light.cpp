@@ -1,6 +1,5 @@
-#include "render/light_plan.h"
-
 #include "core/error.h"
+#include "light/light_plan.h"
 #include "render/plan.h"
 
 namespace havs {
@@ -91,10 +90,10 @@ bool isLit(const Scene& scene) {
   return scene.lighting || scene.shadows || scene.occlusion || scene.scattering || scene.modulation > 0;
 }
 
-void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts) {
-  if (!isLit(scene)) return;
-  LightPlan& light = plan.light;
-  light.lit = true;
+LightPlan lightPlanOf(const Scene& scene) {
+  LightPlan light;
+  light.lit = isLit(scene);
+  if (!light.lit) return light;
   light.phong = scene.lighting || scene.shadows || scene.occlusion;
   if (scene.lighting) light.lighting = *scene.lighting;
   light.lights = scene.lights;
@@ -103,6 +102,12 @@ void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts) {
   light.occlusion = scene.occlusion;
   light.scattering = scene.scattering;
   planRows(light, scene.shadows);
+  return light;
+}
+
+void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts) {
+  plan.light = lightPlanOf(scene);
+  if (!plan.light.lit) return;
   plan.lookup.carries = Payload::lit;
   listDefines(plan);
   listItems(plan, facts, scene.shadows);

@@ -1,4 +1,4 @@
-#include "render/light_data.h"
+#include "light/light_data.h"
 
 #include <algorithm>
 #include <cmath>
