@@ -3,6 +3,10 @@
 // modulation by the gradient leaves; both go linearly from one end to the other.
 #include "core/lighting.glsl"
 
+#ifdef HAVS_LIGHTS_PIECES
+// The lookup goes from piece to piece of the transfer function, and takes the light along.
+Rgba lookUpLit(Segment segment) { return lookUpPiecesInLight(segment); }
+#else
 // The lookup's colour under the segment's light: what comes from the front and from the back each has the light there.
 Rgba lookUpLit(Segment segment) {
   segment.length = segment.length * (Real(0.5) * (densityOf(segment.front) + densityOf(segment.back)));
@@ -11,6 +15,7 @@ Rgba lookUpLit(Segment segment) {
   Real light = front * lightOf(segment.front) + (Real(1.0) - front) * lightOf(segment.back);
   return Rgba(color.r * light, color.g * light, color.b * light, color.a);
 }
+#endif
 
 // The light where `share` of the segment's way is gone.
 Real lightAt(Segment segment, Real share) {

@@ -35,7 +35,7 @@ Rgba segmentColor(Segment segment) {
   segment.length = select(segment.visible, segment.length, Real(0.0));
   segment.scalarBack = select(segment.visible, segment.scalarBack, segment.scalarFront);
   if (cellData) {
-    segment.back = segment.front;
+    if (!lit) segment.back = segment.front;  // light belongs to the points, whatever the scalar does
     segment.scalarBack = segment.scalarFront;
   }
   Rgba color;

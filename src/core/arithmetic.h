@@ -134,6 +134,7 @@ struct Arithmetic {
 #include "core/integration.glsl"
 // what uses the types of that
 #include "core/exact.glsl"
+#include "core/exact_lit.glsl"
 #include "core/integral_functions.glsl"
 #include "core/piecewise.glsl"
 #include "core/riemann.glsl"

@@ -1,5 +1,6 @@
 #include "reference/reference_renderer.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "reference/lit_ray.h"
@@ -17,7 +18,7 @@ Drawing drawRays(const PreparedScene& prepared, const View& view, const Progress
   image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
     const RayColor found = color(x, y, segments);
-    for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(found[c]);
+    for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(std::min(found[c], 1.0));
   };
   drawing.tiles = visitRays(prepared, view, visit, {}, progress);
   return drawing;

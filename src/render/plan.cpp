@@ -225,7 +225,7 @@ const PlannedProgram& programOf(const RenderPlan& plan, const std::string& role)
 RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities& capabilities) {
   checkScene(asked);
   Scene scene = asked;
-  if (scene.lookup == kAutoLookup) scene.lookup = lookupFor(facts.knotsInCells);
+  if (scene.lookup == kAutoLookup) scene.lookup = isLit(scene) ? "exact" : lookupFor(facts.knotsInCells);
   const Mode& shown = mode(scene.mode);
   RenderPlan result;
   result.mode = shown.name;

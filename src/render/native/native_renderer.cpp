@@ -151,7 +151,10 @@ class NativeRenderer final : public Renderer {
   }
 
   void finish(Image& image) const {
-    if (plan_.finish == nullptr) return;
+    if (plan_.finish == nullptr) {  // light may make a colour brighter than any picture holds
+      parallelFor(0, image.rgba.size(), 1 << 16, [&](std::size_t i) { image.rgba[i] = std::min(image.rgba[i], 1.0f); });
+      return;
+    }
     parallelFor(0, image.rgba.size() / 4, 4096,
                 [&](std::size_t pixel) { plan_.finish(prepared_.curve, &image.rgba[4 * pixel]); });
   }
