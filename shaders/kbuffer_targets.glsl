@@ -37,4 +37,4 @@ void storePixel(Rgba color, PixelState state) {
 }
 
 // The colour plain, without flags: the picture.
-void storeColor(Rgba color) { colorTarget = texelOf(wordsOf(color)); }
+void storeColor(Rgba color) { colorTarget = texelOf(wordsOf(clamp(color, 0.0, 1.0))); }
