@@ -46,11 +46,13 @@ TABLE_FUNCTION Rgba exactSegmentInLight(TABLES Real scalarFront, Real scalarBack
     done = next;
     goesOn = goesOn && crosses && transparencyOf(light) > Real(kUsedUp);
 
-    piece.number = select(goesOn, piece.number + direction, piece.number);
-    piece.place = TABLE(piecePlace)(piece.number);
-    share = Real(1.0) - borderShare;
-    toBorder = extentOf(piece);
-    toBack = select(rises, pastLow(piece, scalarBack), beforeHigh(piece, scalarBack));
+    WHERE_ANY(goesOn) {
+      piece.number = select(goesOn, piece.number + direction, piece.number);
+      piece.place = TABLE(piecePlace)(piece.number);
+      share = Real(1.0) - borderShare;
+      toBorder = extentOf(piece);
+      toBack = select(rises, pastLow(piece, scalarBack), beforeHigh(piece, scalarBack));
+    }
   } while (anyLane(goesOn));
   return Rgba(light.sum.r + light.rest.r, light.sum.g + light.rest.g, light.sum.b + light.rest.b,
               light.sum.a + light.rest.a);

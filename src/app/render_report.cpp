@@ -43,6 +43,24 @@ void addClipping(const Scene& scene, Json& json) {
   json["threshold"] = scene.threshold ? Json(*scene.threshold) : Json();
 }
 
+/// Light, as scene files have it; null for what the scene does without.
+void addLight(const Scene& scene, Json& json) {
+  json["lighting"] = json["occlusion"] = json["scattering"] = Json();
+  if (const auto& l = scene.lighting)
+    json["lighting"] = {{"ambient", l->ambient},
+                        {"diffuse", l->diffuse},
+                        {"specular", l->specular},
+                        {"shininess", l->shininess},
+                        {"silhouettes", l->silhouettes}};
+  json["lights"] = scene.lights.size();
+  json["shadows"] = scene.shadows;
+  if (scene.occlusion)
+    json["occlusion"] = {{"radius", scene.occlusion->radius}, {"directions", scene.occlusion->directions}};
+  if (const auto& s = scene.scattering)
+    json["scattering"] = {{"albedo", s->albedo}, {"anisotropy", s->anisotropy}, {"radius", s->radius}};
+  json["modulation"] = scene.modulation;
+}
+
 Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   Json json;
   json["transfer_function"] = {{"name", report.transferFunction},
@@ -50,6 +68,7 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
                                {"unit_length", report.unitLength},
                                {"domain", report.domain}};
   addClipping(scene, json);
+  addLight(scene, json);
   json["camera"] = Json::parse(report.camera);
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
@@ -74,8 +93,9 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
 /// Without the method's, which the reference does not heed.
 Json settingsOfReference(const Json& all) {
   Json json;
-  for (const char* key : {"transfer_function", "clip_plane", "clip_box", "cut_box", "threshold", "camera", "size",
-                          "background", "mode", "threads", "repeat"})
+  for (const char* key :
+       {"transfer_function", "clip_plane", "clip_box", "cut_box", "threshold", "lighting", "lights", "shadows",
+        "occlusion", "scattering", "modulation", "camera", "size", "background", "mode", "threads", "repeat"})
     json[key] = all[key];
   return json;
 }

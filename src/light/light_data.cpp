@@ -133,7 +133,7 @@ LightData::LightData(const PreparedScene& drawn, const LightPlan& plan, StageTim
     whole_->putBalls();
   }
   if (plan.scattering) {
-    const ScopedStage timer(stages, "scattering");
+    const ScopedStage timer(stages, "scattering_table");
     whole_->makeScattered();
   }
 }

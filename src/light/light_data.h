@@ -21,14 +21,14 @@ struct ViewLight {
 /// what scatters; and what of it changes with the view.
 class LightData {
  public:
-  /// `drawn`: the scene, or the part of it that is drawn; light goes through the whole. Stages timed: gradients,
-  /// occlusion, shadows, scattering. Throws Error{input} for lights without a direction.
+  /// `drawn`: the scene, or the part of it that is drawn; light goes through the whole. Stages timed: gradients, tracer,
+  /// occlusion, scattering_table. Throws Error{input} for lights without a direction.
   LightData(const PreparedScene& drawn, const LightPlan& plan, StageTimes& stages);
   ~LightData();
   LightData(LightData&&) noexcept;
 
-  /// One row of LightPlan::rowLength numbers for each point of the drawn scene, brought up to date for the view. Stage
-  /// timed: scattering.
+  /// One row of LightPlan::rowLength numbers for each point of the drawn scene, brought up to date for the view. Stages
+  /// timed: shadows, scattering.
   const std::vector<float>& rowsFor(const View& view, StageTimes& stages);
   /// Grows whenever rows change; 1 at first.
   std::size_t version() const;

@@ -52,7 +52,7 @@ void listItems(RenderPlan& plan, const SceneFacts& facts, bool shadows) {
     add("transmittance from each light to the points", "shadows", "the scene asks for shadows",
         static_cast<int>(light.lights.size()));
   if (light.scattering) {
-    addItem(plan, PlanKind::table, "scattered light over optical radius and angle", "scattering",
+    addItem(plan, PlanKind::table, "scattered light over optical radius and angle", "scattering_table",
             "the scene asks for ambient scattering");
     add("scattered light at the points", "scattering", "the scene asks for ambient scattering", 1);
   }

@@ -63,6 +63,32 @@ INSTANTIATE_TEST_SUITE_P(
     nameOfCase);
 
 INSTANTIATE_TEST_SUITE_P(
+    Light, BadOption,
+    testing::Values(
+        Refused{"UnknownSetting", rendering({"--lighting", "ambiant=1"}), "'ambient'"},
+        Refused{"NoValue", rendering({"--lighting", "ambient"}), "ambient=VALUE"},
+        Refused{"NoNumber", rendering({"--lighting", "ambient=much"}), "'much' is no number"},
+        Refused{"Negative", rendering({"--lighting", "diffuse=-1"}), "diffuse"},
+        Refused{"Shininess", rendering({"--lighting", "shininess=2.5"}), "whole number"},
+        Refused{"ShininessTooLarge", rendering({"--lighting", "shininess=2000"}), "shininess"},
+        Refused{"LightKind", rendering({"--light", "sun:1,1,1", "--lighting", "default"}), "sun"},
+        Refused{"LightPlace", rendering({"--light", "point:1,2", "--lighting", "default"}), "three numbers"},
+        Refused{"LightDirection", rendering({"--light", "directional:0,0,0", "--lighting", "default"}), "no direction"},
+        Refused{
+            "TooManyLights",
+            rendering({"--light", "head", "--light", "head", "--light", "head", "--light", "head", "--light", "head"}),
+            "at most 4"},
+        Refused{"OcclusionRadius", rendering({"--occlusion", "radius=0"}), "radius"},
+        Refused{"Albedo", rendering({"--scattering", "albedo=1"}), "albedo"},
+        Refused{"ModulationBeyondOne", rendering({"--modulation", "2"}), "modulation"},
+        Refused{"LitXray", rendering({"--mode", "xray", "--lighting", "default"}), "knows no light"},
+        Refused{"LitColours", rendering({"--lookup", "pre", "--lighting", "default"}), "cannot be lit"},
+        Refused{"LitCells", rendering({"--visibility", "cells", "--lighting", "default"}), "kbuffer"},
+        Refused{"Mode", rendering({"--mode", "maximun"}), "'maximum'"},
+        Refused{"EarlyXray", rendering({"--mode", "xray", "--early-termination", "0.9"}), "end pixels early"}),
+    nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
     Clipping, BadOption,
     testing::Values(Refused{"PlaneOfFive", rendering({"--clip-plane", "0,0,0,1,0"}), "X,Y,Z,NX,NY,NZ"},
                     Refused{"PlaneOfSeven", rendering({"--clip-plane", "0,0,0,1,0,0,0"}), "X,Y,Z,NX,NY,NZ"},

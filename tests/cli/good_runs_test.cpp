@@ -43,7 +43,8 @@ TEST_F(Render, JsonHoldsEveryKey) {
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "mode", "clip_plane", "clip_box", "cut_box",
-                                            "threshold", "camera", "size", "background", "visibility", "k", "k_auto",
+                                            "threshold", "lighting", "lights", "shadows", "occlusion", "scattering",
+                                            "modulation", "camera", "size", "background", "visibility", "k", "k_auto",
                                             "sort", "lookup", "table", "table_format", "target_format",
                                             "early_termination", "composite_late", "threads", "repeat"));
 }

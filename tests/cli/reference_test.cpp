@@ -44,7 +44,8 @@ TEST_F(Reference, JsonHoldsWhatHasAMeaning) {
                                             "peak_memory_bytes", "defects", "notes", "outputs"));
   EXPECT_THAT(keysOf(json["settings"]),
               testing::UnorderedElementsAre("transfer_function", "mode", "clip_plane", "clip_box", "cut_box",
-                                            "threshold", "camera", "size", "background", "threads", "repeat"));
+                                            "threshold", "lighting", "lights", "shadows", "occlusion", "scattering",
+                                            "modulation", "camera", "size", "background", "threads", "repeat"));
   EXPECT_THAT(keysOf(json["stages_ms"]), testing::UnorderedElementsAre("read", "prepare", "faces", "draw", "total"));
   EXPECT_EQ(json["device"], (nlohmann::json{{"name", "reference"}, {"tiles", 2}}));
   EXPECT_EQ(json["mesh"]["cells"], 6);
