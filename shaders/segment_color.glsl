@@ -1,11 +1,27 @@
-// The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at the first opaque
-// surface.
+// The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at isosurfaces and at the
+// first opaque surface.
 #include "core/compositing.glsl"
 #include "lookup.glsl"  // the lookup of the plan: a file of lookup/, or of measure/
 #if defined(HAVS_OPAQUE_SURFACES) && !defined(HAVS_MEASURES_SURFACES)
 #include "opaque_surfaces.glsl"
 #else
 Rgba lookUpToOpaque(Segment segment) { return lookUp(segment); }
+#endif
+
+Rgba lookUpVolume(Segment segment) {
+  Rgba color;
+  if (opaqueSurfaces) {
+    color = lookUpToOpaque(segment);
+  } else {
+    color = lookUp(segment);
+  }
+  return color;
+}
+
+#ifdef HAVS_ISOSURFACES
+#include "isosurfaces.glsl"
+#else
+Rgba lookUpWithIsosurfaces(Segment segment) { return lookUpVolume(segment); }
 #endif
 
 Rgba segmentColor(Segment segment) {
@@ -17,10 +33,10 @@ Rgba segmentColor(Segment segment) {
     segment.scalarBack = segment.scalarFront;
   }
   Rgba color;
-  if (opaqueSurfaces) {
-    color = lookUpToOpaque(segment);
+  if (isosurfaces) {
+    color = lookUpWithIsosurfaces(segment);
   } else {
-    color = lookUp(segment);
+    color = lookUpVolume(segment);
   }
   Rgba nothing = Rgba(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
   return selectColor(segment.visible, color, nothing);

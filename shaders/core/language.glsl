@@ -55,4 +55,9 @@ const bool opaqueSurfaces = true;
 #else
 const bool opaqueSurfaces = false;
 #endif
+#ifdef HAVS_ISOSURFACES
+const bool isosurfaces = true;
+#else
+const bool isosurfaces = false;
+#endif
 #define lookupNumber HAVS_LOOKUP_NUMBER

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <variant>
 
+#include "app/isosurface_options.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "transfer/json_text.h"
@@ -130,7 +131,12 @@ const Form kCountOrAuto{"a whole number, or \"auto\"",
                           return number.is_number_integer() ? number : Json(text);
                         }};
 
+const Form kIsosurface{
+    "an object with a value, or a list of such, as {\"value\": 0.5, \"color\": \"red\", \"opacity\": 0.3}",
+    isosurfaceSchema(), isosurfaceToText, isosurfaceFromText};
+
 using Text = std::optional<std::string> SceneOptions::*;
+using Texts = std::vector<std::string> SceneOptions::*;
 using Number = std::optional<double> SceneOptions::*;
 using Count = std::optional<int> SceneOptions::*;
 using Name = std::string SceneOptions::*;
@@ -139,8 +145,8 @@ using Flag = bool SceneOptions::*;
 struct Key {
   const char* name;
   const char* option;  ///< of the command line, for the schema
-  std::variant<Text, Number, Count, Name, Flag> member;
-  const Form* form = &kText;  ///< of texts
+  std::variant<Text, Texts, Number, Count, Name, Flag> member;
+  const Form* form = &kText;  ///< of texts; of several, of each
 };
 
 const std::vector<Key>& keys() {
@@ -153,6 +159,7 @@ const std::vector<Key>& keys() {
       {"transfer_function", "--tf", &S::transferFunction, &kTransferFunction},
       {"unit_length", "--unit-length", &S::unitLength},
       {"domain", "--domain", &S::domain, &kRange},
+      {"isosurfaces", "--isosurface", &S::isosurfaces, &kIsosurface},
       {"mode", "--mode", &S::mode},
       {"size", "--size", &S::size, &kSize},
       {"camera", "--camera", &S::camera, &kCamera},
@@ -199,6 +206,15 @@ struct Reader {
     const std::string read = text();
     if (!(options.*member)) options.*member = read;
   }
+  /// A list of values, or one value.
+  void operator()(Texts member) const {
+    std::vector<std::string> texts;
+    const bool several = value.is_array() &&
+                         std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_structured(); });
+    for (const Json& one : several ? value : Json::array({value}))
+      texts.push_back(Reader{options, key, one, file}.text());
+    if ((options.*member).empty()) options.*member = texts;
+  }
   void operator()(Name member) const {
     const std::string read = text();
     if ((options.*member).empty()) options.*member = read;
@@ -228,6 +244,11 @@ struct Writer {
   std::optional<Json> operator()(Text member) const {
     return options.*member ? std::optional(key.form->fromText(*(options.*member), folder)) : std::nullopt;
   }
+  std::optional<Json> operator()(Texts member) const {
+    Json list = Json::array();
+    for (const std::string& text : options.*member) list.push_back(key.form->fromText(text, folder));
+    return list.empty() ? std::nullopt : std::optional(list);
+  }
   std::optional<Json> operator()(Name member) const {
     return (options.*member).empty() ? std::nullopt : std::optional(key.form->fromText(options.*member, folder));
   }
@@ -245,6 +266,9 @@ struct Writer {
 struct SchemaOf {
   const Key& key;
   Json operator()(Text) const { return key.form->schema; }
+  Json operator()(Texts) const {
+    return {{"anyOf", {key.form->schema, {{"type", "array"}, {"items", key.form->schema}}}}};
+  }
   Json operator()(Name) const { return key.form->schema; }
   Json operator()(Number) const { return {{"type", "number"}}; }
   Json operator()(Count) const { return {{"type", "integer"}}; }

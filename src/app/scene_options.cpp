@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/isosurface_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "image/color_names.h"
 #include "render/devices.h"
 #include "render/lookups.h"
 #include "render/modes.h"
@@ -61,7 +63,7 @@ void addPictureOptions(CLI::App& command, SceneOptions& options) {
       "AZIMUTH,ELEVATION[,ZOOM] in degrees, a JSON object, or a file with one");
   add(command, kGroup, "--projection", options.projection, "NAME", "perspective (default) or orthographic");
   add(command, kGroup, "--background", options.background, "COLOR",
-      "white (default), black, none, '#rrggbb' or r,g,b from 0 to 1");
+      "none, '#rrggbb', r,g,b from 0 to 1, or a name (default white): " + colorNames());
 }
 
 /// "3d 128, 2d 512"
@@ -207,6 +209,7 @@ void setMethod(Scene& scene, const SceneOptions& options) {
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addInputOptions(command, options);
   addTransferOptions(command, options);
+  addIsosurfaceOptions(command, options);
   addPictureOptions(command, options);
   addMethodOptions(command, options);
 }
@@ -224,6 +227,7 @@ Scene makeScene(const SceneOptions& options) {
   if (options.mode) scene.mode = known("--mode", *options.mode, namesOf(modes()));
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
+  setIsosurfaces(scene, options);
   setCamera(scene, options);
   setMethod(scene, options);
   checkScene(scene);

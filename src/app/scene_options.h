@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -15,6 +16,7 @@ struct SceneOptions {
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
   std::optional<int> tableSize, threads, repeat;
+  std::vector<std::string> isosurfaces;
   bool compositeLate = false;
   bool paper = false;
 };

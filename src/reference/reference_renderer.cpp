@@ -15,7 +15,7 @@ class ReferenceRenderer final : public Renderer {
     image.height = view.height;
     image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
     const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
-      const RayColor color = function_(prepared_.curve, segments);
+      const RayColor color = function_({prepared_.curve, prepared_.isosurfaces}, segments);
       for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(color[c]);
     };
     drawing.tiles = visitRays(prepared_, view, visit, {}, progress);
@@ -37,7 +37,7 @@ std::vector<RayColor> referencePixels(const PreparedScene& prepared, const View&
   std::vector<RayColor> pixels(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
     pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x)] =
-        rayColor(prepared.curve, segments);
+        rayColor({prepared.curve, prepared.isosurfaces}, segments);
   };
   visitRays(prepared, view, visit, tiles);
   return pixels;

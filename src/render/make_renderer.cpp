@@ -26,7 +26,8 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
   const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
-  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.certificate, stages, make) : make(prepared);
+  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.shows, plan.certificate, stages, make)
+                             : make(prepared);
 }
 
 std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {

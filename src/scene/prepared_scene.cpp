@@ -140,10 +140,12 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
     prepared.points = localPoints(prepared.mesh, prepared.frame);
     prepared.longestEdge = longestEdge(prepared.mesh, prepared.points);
     prepareCurve(prepared, scene);
+    prepared.isosurfaces = prepareIsosurfaces(scene, prepared);
     prepared.scalars = normalisedScalars(prepared.field, prepared.curve);
     prepared.field.values = {};
     prepared.knotsInCells = meanKnotsInCells(prepared);
     prepared.clearCells = hasClearCells(prepared);
+    prepared.cellsWithoutSurface = prepared.isosurfaces.empty() || hasClearCells(prepared, {.volume = false});
   });
   return prepared;
 }
@@ -167,6 +169,7 @@ SceneFacts PreparedScene::facts() const {
   facts.opaqueSurfaces = !curve.opaque.empty();
   facts.knotsInCells = knotsInCells;
   facts.clearCells = clearCells;
+  facts.cellsWithoutSurface = cellsWithoutSurface;
   facts.points = points.size();
   facts.cells = mesh.tetrahedra.size();
   facts.faces = faces.size();

@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "scene/camera.h"
+#include "scene/isosurface.h"
 
 namespace havs {
 
@@ -23,6 +25,7 @@ struct Scene {
   std::string transferFunction = "viridis";     ///< preset or file
   std::optional<double> unitLength;             ///< mesh units; overrides the transfer function's
   std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
+  std::vector<Isosurface> isosurfaces;          ///< with the volume, or alone (mode `isosurfaces`)
   int width = 1024;
   int height = 1024;
   Camera camera;
@@ -47,10 +50,11 @@ struct Scene {
 
 /// What is known of the data when a plan is made.
 struct SceneFacts {
-  bool cellData = false;        ///< the scalar belongs to the cells
-  bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
-  double knotsInCells = 0;      ///< meanKnotsInCells (scene/knots_in_cells.h)
-  bool clearCells = false;      ///< some cells show nothing under the transfer function (scene/visible_part.h)
+  bool cellData = false;             ///< the scalar belongs to the cells
+  bool opaqueSurfaces = false;       ///< the transfer function reaches opacity 1 (per_unit)
+  double knotsInCells = 0;           ///< meanKnotsInCells (scene/knots_in_cells.h)
+  bool clearCells = false;           ///< some cells show nothing: volume nor isosurface (scene/visible_part.h)
+  bool cellsWithoutSurface = false;  ///< some cells show no isosurface
   std::size_t points = 0, cells = 0, faces = 0;  ///< of the mesh
 };
 

@@ -63,6 +63,7 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
   lookup.lookupNumber = plan.lookup.number;
   lookup.cellData = plan.cellData;
   lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries == Payload::scalar;
+  lookup.isosurfaces = plan.isosurfaces;
 }
 
 SegmentShader::SegmentShader(SegmentShader&& other) noexcept = default;
