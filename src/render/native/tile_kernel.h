@@ -101,7 +101,23 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
       double value[3];
       attributesOf(batch_.corners[i], batch_.face[i], batch_.entersMesh[i], a, value);
       for (int j = 0; j < 3; ++j) batch_.value[1 + a][j][i] = value[j];
+      if constexpr (kAttributes == 1) {
+        const Bounds bounds = boundsOf(value);
+        batch_.low[i] = bounds.low;
+        batch_.high[i] = bounds.high;
+      }
     }
+  }
+
+  /// Of the scalar: with isosurfaces those of the corners, so that a ray in a region of one value does not waver about
+  /// a surface of that value.
+  struct Bounds {
+    float low = 0, high = 1;
+  };
+  Bounds boundsOf(const double* value) const {
+    if (!tile_.mesh.isosurfaces) return {};
+    const double low = value[0] < value[1] ? value[0] : value[1], high = value[0] < value[1] ? value[1] : value[0];
+    return {static_cast<float>(value[2] < low ? value[2] : low), static_cast<float>(value[2] > high ? value[2] : high)};
   }
 
   /// Attribute `a` at the three corners.
@@ -127,7 +143,7 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
     fragment.distance = value(0) * scale;
     fragment.payload.kind = Real(f.kind[face]);
     if constexpr (kAttributes == 1) {
-      fragment.payload.scalar = clamped(value(1));
+      fragment.payload.scalar = clamped(value(1), f.low[face], f.high[face]);
     } else {
       for (int i = 0; i < kAttributes; ++i) fragment.payload.color[i] = clamped(value(1 + i));
     }
@@ -147,11 +163,12 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
     for (int a = 0; a < kAttributes; ++a) {
       double value[3];
       attributesOf(corners, batch_.face[i], entersMesh, a, value);
-      const Real number = clamped(Real(static_cast<float>(meanOf(hit, value[0], value[1], value[2]))));
+      const Real number(static_cast<float>(meanOf(hit, value[0], value[1], value[2])));
       if constexpr (kAttributes == 1) {
-        fragment.payload.scalar = number;
+        const Bounds bounds = boundsOf(value);
+        fragment.payload.scalar = clamped(number, bounds.low, bounds.high);
       } else {
-        fragment.payload.color[a] = number;
+        fragment.payload.color[a] = clamped(number);
       }
     }
     insert(stamp, group, 1u << lane, fragment);
