@@ -6,6 +6,12 @@ layout(location = 1) in vec4 vertexColor;  // (r, g, b, extinction as a fraction
 smooth out vec4 colorAndExtinction;
 #endif
 
+#ifdef HAVS_LIT
+layout(location = 2) in vec4 vertexLight[HAVS_LIGHT_VECTORS];
+smooth out vec4 lightRow[HAVS_LIGHT_VECTORS];
+smooth out vec3 place;
+#endif
+
 uniform mat4 toClip;
 uniform vec3 forward;
 uniform int firstBoundaryVertex;
@@ -21,6 +27,10 @@ void main() {
   depth = dot(forward, pointAndScalar.xyz);
 #ifdef HAVS_COLOR_PAYLOAD
   colorAndExtinction = vertexColor;
+#endif
+#ifdef HAVS_LIT
+  lightRow = vertexLight;
+  place = pointAndScalar.xyz;
 #endif
   onBoundary = gl_VertexID >= firstBoundaryVertex ? 1.0 : 0.0;
   gl_Position = toClip * vec4(pointAndScalar.xyz, 1.0);

@@ -7,6 +7,10 @@ flat in float onBoundary;
 smooth in vec4 colorAndExtinction;
 #endif
 
+#ifdef HAVS_LIT
+#include "incoming_light.glsl"
+#endif
+
 uniform vec4 pixelToRay;  // xy scale and zw offset from window coordinates to the ray's slope; zero for parallel rays
 #ifdef HAVS_CELL_DATA
 // Per face, in drawing order: the scalars (colours) of the cells behind it as seen from its front and from its back.
@@ -19,8 +23,19 @@ layout(std430, binding = 1) readonly buffer FaceOrder { uint faceOrder[]; };
 uniform int firstFace;  // of the batch
 #endif
 
+float incomingScalar() {
 #ifdef HAVS_COLOR_PAYLOAD
-Payload incomingPayload(float kind) {
+  return 0.0;
+#elif defined(HAVS_CELL_DATA)
+  vec2 sides = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
+  return gl_FrontFacing ? sides.x : sides.y;
+#else
+  return clamp(scalar, 0.0, 1.0);
+#endif
+}
+
+#ifdef HAVS_COLOR_PAYLOAD
+Payload incomingPayload(float kind, vec2 slope) {
 #ifdef HAVS_CELL_DATA
   uint face = faceOrder[firstFace + gl_PrimitiveID];
   return makeColorPayload(faceColors[2u * face + (gl_FrontFacing ? 0u : 1u)], kind);
@@ -28,21 +43,18 @@ Payload incomingPayload(float kind) {
   return makeColorPayload(colorAndExtinction, kind);
 #endif
 }
-#else
-Payload incomingPayload(float kind) {
-#ifdef HAVS_CELL_DATA
-  vec2 sides = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
-  return makePayload(gl_FrontFacing ? sides.x : sides.y, kind);
-#else
-  return makePayload(clamp(scalar, 0.0, 1.0), kind);
-#endif
+#elif defined(HAVS_LIT)
+Payload incomingPayload(float kind, vec2 slope) {
+  return makeLitPayload(incomingScalar(), kind, incomingLight(slope), incomingDensity());
 }
+#else
+Payload incomingPayload(float kind, vec2 slope) { return makePayload(incomingScalar(), kind); }
 #endif
 
 Fragment incomingFragment() {
   vec2 slope = gl_FragCoord.xy * pixelToRay.xy + pixelToRay.zw;
   Fragment f;
   f.distance = depth * sqrt(1.0 + dot(slope, slope));
-  f.payload = incomingPayload(onBoundary < 0.5 ? 0.0 : gl_FrontFacing ? 1.0 : -1.0);
+  f.payload = incomingPayload(onBoundary < 0.5 ? 0.0 : gl_FrontFacing ? 1.0 : -1.0, slope);
   return f;
 }

@@ -16,10 +16,12 @@ Real surfacesUpTo(Real scalar) {
   return count;
 }
 
-// The premultiplied colour of a surface where it is met.
-Rgba surfaceAt(Int surface) {
+// The premultiplied colour of a surface that a segment meets at a share of its way.
+Rgba surfaceAt(Segment segment, Real share, Int surface) {
   Rgba color = rgbaAt(isosurfaceColors, surface);
-  return Rgba(color.r * color.a, color.g * color.a, color.b * color.a, color.a);
+  Real light = color.a;
+  if (lit) light = light * lightAt(segment, share);
+  return Rgba(color.r * light, color.g * light, color.b * light, color.a);
 }
 
 Rgba lookUpWithIsosurfaces(Segment segment) {
@@ -38,10 +40,12 @@ Rgba lookUpWithIsosurfaces(Segment segment) {
     Real end = select(crosses, (value - segment.scalarFront) / difference, Real(1.0));
     part.scalarBack = select(crosses, value, segment.scalarBack);
     part.length = segment.length * (end - begin);
+    if (lit) part.back = payloadAt(segment, end);
     Rgba found = lookUpVolume(part);
-    WHERE_ANY(crosses) { found = selectColor(crosses, compositeUnder(found, surfaceAt(surface)), found); }
+    WHERE_ANY(crosses) { found = selectColor(crosses, compositeUnder(found, surfaceAt(segment, end, surface)), found); }
     color = selectColor(goesOn, compositeUnder(color, found), color);
     part.scalarFront = part.scalarBack;
+    if (lit) part.front = part.back;
     begin = end;
     below = select(crosses, select(rises, below + Real(1.0), below - Real(1.0)), below);
     goesOn = crosses && (color.a < Real(1.0));

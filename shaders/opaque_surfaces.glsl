@@ -17,9 +17,12 @@ Rgba lookUpToOpaque(Segment segment) {
   OpaqueHit met = firstOpaque(segment.scalarFront, segment.scalarBack);
   Mask hit = met.share <= Real(1.0);
   Real part = select(hit, met.share, Real(1.0));
-  segment.scalarBack = (Real(1.0) - part) * segment.scalarFront + part * segment.scalarBack;
-  segment.length = segment.length * part;
-  Rgba before = lookUp(segment);
-  Rgba surface = surfaceColor(segment.scalarBack, met.low, met.high);
-  return selectColor(hit, compositeUnder(before, surface), before);
+  Segment before = upTo(segment, part);
+  Rgba color = lookUpInLight(before);
+  Rgba surface = surfaceColor(before.scalarBack, met.low, met.high);
+  if (lit) {
+    Real light = lightAt(segment, part);
+    surface = Rgba(surface.r * light, surface.g * light, surface.b * light, surface.a);
+  }
+  return selectColor(hit, compositeUnder(color, surface), color);
 }

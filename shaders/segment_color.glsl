@@ -2,10 +2,32 @@
 // first opaque surface.
 #include "core/compositing.glsl"
 #include "lookup.glsl"  // the lookup of the plan: a file of lookup/, or of measure/
+#ifdef HAVS_LIT
+#include "lit.glsl"
+#else
+Rgba lookUpLit(Segment segment) { return lookUp(segment); }
+Real lightAt(Segment segment, Real share) { return Real(1.0); }
+Payload payloadAt(Segment segment, Real share) { return segment.back; }
+#endif
+
+// The segment up to `part` of its way.
+Segment upTo(Segment segment, Real part) {
+  Segment first = segment;
+  first.scalarBack = (Real(1.0) - part) * segment.scalarFront + part * segment.scalarBack;
+  first.length = segment.length * part;
+  if (lit) first.back = payloadAt(segment, part);
+  return first;
+}
+
+Rgba lookUpInLight(Segment segment) {
+  if (lit) return lookUpLit(segment);
+  return lookUp(segment);
+}
+
 #if defined(HAVS_OPAQUE_SURFACES) && !defined(HAVS_MEASURES_SURFACES)
 #include "opaque_surfaces.glsl"
 #else
-Rgba lookUpToOpaque(Segment segment) { return lookUp(segment); }
+Rgba lookUpToOpaque(Segment segment) { return lookUpInLight(segment); }
 #endif
 
 Rgba lookUpVolume(Segment segment) {
@@ -13,7 +35,7 @@ Rgba lookUpVolume(Segment segment) {
   if (opaqueSurfaces) {
     color = lookUpToOpaque(segment);
   } else {
-    color = lookUp(segment);
+    color = lookUpInLight(segment);
   }
   return color;
 }

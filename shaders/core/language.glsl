@@ -60,4 +60,9 @@ const bool isosurfaces = true;
 #else
 const bool isosurfaces = false;
 #endif
+#ifdef HAVS_LIT
+const bool lit = true;
+#else
+const bool lit = false;
+#endif
 #define lookupNumber HAVS_LOOKUP_NUMBER

@@ -42,6 +42,15 @@ Json isosurfacesAsJson(const RenderReport& report) {
   return json;
 }
 
+/// As scene files have it.
+void addClipping(const Scene& scene, Json& json) {
+  json["clip_plane"] = json["clip_box"] = json["cut_box"] = Json::array();
+  for (const auto& [p, n] : scene.clipPlanes) json["clip_plane"].push_back({p.x, p.y, p.z, n.x, n.y, n.z});
+  for (const auto& [low, high, keepsInside] : scene.clipBoxes)
+    json[keepsInside ? "clip_box" : "cut_box"].push_back({low.x, high.x, low.y, high.y, low.z, high.z});
+  json["threshold"] = scene.threshold ? Json(*scene.threshold) : Json();
+}
+
 Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   Json json;
   json["transfer_function"] = {{"name", report.transferFunction},
@@ -49,6 +58,7 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
                                {"unit_length", report.unitLength},
                                {"domain", report.domain}};
   json["isosurfaces"] = isosurfacesAsJson(report);
+  addClipping(scene, json);
   json["camera"] = Json::parse(report.camera);
   json["size"] = {scene.width, scene.height};
   json["background"] = scene.background ? Json(*scene.background) : Json();
@@ -73,8 +83,8 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
 /// Without the method's, which the reference does not heed.
 Json settingsOfReference(const Json& all) {
   Json json;
-  for (const char* key :
-       {"transfer_function", "isosurfaces", "camera", "size", "background", "mode", "threads", "repeat"})
+  for (const char* key : {"transfer_function", "isosurfaces", "clip_plane", "clip_box", "cut_box", "threshold",
+                          "camera", "size", "background", "mode", "threads", "repeat"})
     json[key] = all[key];
   return json;
 }

@@ -98,6 +98,10 @@ const Form kRange{"two numbers, as [0, 1]", listSchema("number", 2),
                   [](const Json& value, const Folder&) { return numbersToText(value, 2, ','); },
                   [](const std::string& text, const Folder&) { return numbersFromText(text, 2, ','); }};
 
+const Form kSixNumbers{"a list of six numbers, or a list of such lists", listSchema("number", 6),
+                       [](const Json& value, const Folder&) { return numbersToText(value, 6, ','); },
+                       [](const std::string& text, const Folder&) { return numbersFromText(text, 6, ','); }};
+
 const Form kColor{
     "a name, '#rrggbb', [r, g, b] from 0 to 1, or null for none",
     {{"anyOf", {{{"type", {"string", "null"}}}, listSchema("number", 3)}}},
@@ -131,6 +135,35 @@ const Form kCountOrAuto{"a whole number, or \"auto\"",
                           return number.is_number_integer() ? number : Json(text);
                         }};
 
+/// "name=value,name=value"
+std::optional<std::string> settingsToText(const Json& value, const Folder&) {
+  if (value == "default") return "default";
+  if (!value.is_object()) return std::nullopt;
+  std::string text;
+  for (const auto& [name, number] : value.items()) {
+    if (!number.is_number()) return std::nullopt;
+    text += (text.empty() ? "" : ",") + name + "=" + number.dump();
+  }
+  return text.empty() ? "default" : text;
+}
+Json settingsFromText(const std::string& text, const Folder&) {
+  if (text == "default") return text;
+  Json object = Json::object();
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) return text;
+    Json number = Json::parse(part.substr(equals + 1), nullptr, false);
+    if (!number.is_number()) return text;
+    object[part.substr(0, equals)] = std::move(number);
+  }
+  return object;
+}
+const Form kSettings{
+    "\"default\", or an object of numbers",
+    {{"anyOf", {{{"const", "default"}}, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}}}}},
+    settingsToText,
+    settingsFromText};
 const Form kIsosurface{
     "an object with a value, or a list of such, as {\"value\": 0.5, \"color\": \"red\", \"opacity\": 0.3}",
     isosurfaceSchema(), isosurfaceToText, isosurfaceFromText};
@@ -161,6 +194,16 @@ const std::vector<Key>& keys() {
       {"domain", "--domain", &S::domain, &kRange},
       {"isosurfaces", "--isosurface", &S::isosurfaces, &kIsosurface},
       {"mode", "--mode", &S::mode},
+      {"clip_plane", "--clip-plane", &S::clipPlanes, &kSixNumbers},
+      {"clip_box", "--clip-box", &S::clipBoxes, &kSixNumbers},
+      {"cut_box", "--cut-box", &S::cutBoxes, &kSixNumbers},
+      {"threshold", "--threshold", &S::threshold, &kRange},
+      {"lighting", "--lighting", &S::lighting, &kSettings},
+      {"light", "--light", &S::lights},
+      {"shadows", "--shadows", &S::shadows},
+      {"occlusion", "--occlusion", &S::occlusion, &kSettings},
+      {"scattering", "--scattering", &S::scattering, &kSettings},
+      {"modulation", "--modulation", &S::modulation},
       {"size", "--size", &S::size, &kSize},
       {"camera", "--camera", &S::camera, &kCamera},
       {"projection", "--projection", &S::projection},
@@ -209,8 +252,9 @@ struct Reader {
   /// A list of values, or one value.
   void operator()(Texts member) const {
     std::vector<std::string> texts;
-    const bool several = value.is_array() &&
-                         std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_structured(); });
+    const bool several = value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& one) {
+                           return one.is_structured() || one.is_string();
+                         });
     for (const Json& one : several ? value : Json::array({value}))
       texts.push_back(Reader{options, key, one, file}.text());
     if ((options.*member).empty()) options.*member = texts;

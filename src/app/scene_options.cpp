@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/clip_options.h"
 #include "app/isosurface_options.h"
+#include "app/light_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
@@ -208,6 +210,8 @@ void setMethod(Scene& scene, const SceneOptions& options) {
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addInputOptions(command, options);
+  addClipOptions(command, options);
+  addLightOptions(command, options);
   addTransferOptions(command, options);
   addIsosurfaceOptions(command, options);
   addPictureOptions(command, options);
@@ -228,6 +232,8 @@ Scene makeScene(const SceneOptions& options) {
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
   setIsosurfaces(scene, options);
+  setClipping(scene, options);
+  setLight(scene, options);
   setCamera(scene, options);
   setMethod(scene, options);
   checkScene(scene);

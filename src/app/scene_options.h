@@ -16,9 +16,15 @@ struct SceneOptions {
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
   std::optional<int> tableSize, threads, repeat;
+  std::optional<std::string> threshold;
+  std::vector<std::string> clipPlanes, clipBoxes, cutBoxes;
   std::vector<std::string> isosurfaces;
   bool compositeLate = false;
   bool paper = false;
+  std::optional<std::string> lighting, occlusion, scattering;
+  std::vector<std::string> lights;
+  std::optional<double> modulation;
+  bool shadows = false;
 };
 
 /// Adds INPUT and all options of a scene to a command. The help of an option that names a row of a table lists the

@@ -48,12 +48,15 @@ struct DoubleLane {
 #define TABLE(fetch) tables.fetch
 #define WHERE_ANY(mask) if (anyLane(mask))
 
-/// What a fragment carries besides its distance (core/kbuffer.glsl): a scalar and its kind.
+/// What a fragment carries besides its distance (core/kbuffer.glsl): a scalar and its kind. All payloads have so many
+/// numbers besides the kind.
 template <class Lane>
 struct ScalarPayload {
   using Real = typename Lane::Real;
   using Mask = typename Lane::Mask;
+  static constexpr int kNumbers = 1;
   Real scalar, kind;
+  Real& number(int) { return scalar; }
   static ScalarPayload make(Real scalar, Real kind) { return {scalar, kind}; }
   static Real scalarOf(const ScalarPayload& p) { return p.scalar; }
   static ScalarPayload select(Mask condition, const ScalarPayload& yes, const ScalarPayload& no) {
@@ -66,7 +69,9 @@ template <class Lane>
 struct ColorPayload {
   using Real = typename Lane::Real;
   using Mask = typename Lane::Mask;
+  static constexpr int kNumbers = 4;
   Real color[4], kind;
+  Real& number(int i) { return color[i]; }
   static ColorPayload make(Real, Real kind) { return {{Real(0), Real(0), Real(0), Real(0)}, kind}; }
   static Real scalarOf(const ColorPayload&) { return Real(0); }
   static ColorPayload select(Mask condition, const ColorPayload& yes, const ColorPayload& no) {
@@ -74,6 +79,22 @@ struct ColorPayload {
     for (int i = 0; i < 4; ++i) p.color[i] = Lane::select(condition, yes.color[i], no.color[i]);
     p.kind = Lane::select(condition, yes.kind, no.kind);
     return p;
+  }
+};
+
+/// A scalar, the light that falls on it, and what the modulation by the gradient leaves of its extinction.
+template <class Lane>
+struct LitPayload {
+  using Real = typename Lane::Real;
+  using Mask = typename Lane::Mask;
+  static constexpr int kNumbers = 3;
+  Real scalar, light, density, kind;
+  Real& number(int i) { return i == 0 ? scalar : i == 1 ? light : density; }
+  static LitPayload make(Real scalar, Real kind) { return {scalar, Real(0), Real(1), kind}; }
+  static Real scalarOf(const LitPayload& p) { return p.scalar; }
+  static LitPayload select(Mask condition, const LitPayload& yes, const LitPayload& no) {
+    return {Lane::select(condition, yes.scalar, no.scalar), Lane::select(condition, yes.light, no.light),
+            Lane::select(condition, yes.density, no.density), Lane::select(condition, yes.kind, no.kind)};
   }
 };
 
@@ -105,6 +126,7 @@ struct Arithmetic {
 #include "core/curve.glsl"
 #include "core/exponential.glsl"
 #include "core/kbuffer.glsl"
+#include "core/lighting.glsl"
 #include "core/limits.glsl"
 #include "core/opaque.glsl"
 // what uses the types of the above

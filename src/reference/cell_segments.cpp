@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "raster/edge_function.h"
 
@@ -82,6 +83,22 @@ struct SegmentCollector::Cell {
     if (crossesEyePlane) hit.w = mean(corner[i].w, corner[j].w, corner[k].w);
     return hit;
   }
+
+  /// Where the eye lies on one of the edges without sides (EdgeSide::sign is 0).
+  std::optional<double> scalarAtEye(const std::array<int, 6>& signs) const {
+    for (std::size_t e = 0; e < 6; ++e) {
+      if (signs[e] != 0) continue;
+      const auto from = static_cast<std::size_t>(kEdges[e][0]), to = static_cast<std::size_t>(kEdges[e][1]);
+      const ScreenPoint &a = corner[from], &b = corner[to];
+      const std::array<double, 3> along{a.x - b.x, a.y - b.y, a.w - b.w}, at{a.x, a.y, a.w};
+      const auto longest = static_cast<std::size_t>(
+          std::max_element(along.begin(), along.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }) -
+          along.begin());
+      const double share = at[longest] / along[longest];
+      if (share >= 0 && share <= 1) return scalar[from] + share * (scalar[to] - scalar[from]);
+    }
+    return std::nullopt;
+  }
 };
 
 void SegmentCollector::reset(const PixelBox& rectangle) {
@@ -145,6 +162,17 @@ void SegmentCollector::addExactlyAt(const Cell& cell, int column, int row) {
       met[count++] = f;
   }
   if (count == 2) addFaces(cell, products, met[0], met[1], column, row);
+  if (count == 1) addFromEye(cell, products, signs, met[0], column, row);
+}
+
+/// The eye lies on an edge or a corner of the cell, so that faces there have no sides: the ray starts in the cell, or
+/// is not in it before the eye, and leaves it by the other face.
+void SegmentCollector::addFromEye(const Cell& cell, const std::array<double, 6>& products,
+                                  const std::array<int, 6>& signs, int face, int x, int y) {
+  const std::optional<double> scalar = cell.scalarAtEye(signs);
+  const Hit back = cell.meet(face, products);
+  if (scalar && back.w > 0 && std::isfinite(back.depth))
+    add({mesh_.eyeDepth, back.depth, *scalar, back.scalar, cell.number}, x, y);
 }
 
 void SegmentCollector::addFaces(const Cell& cell, const std::array<double, 6>& products, int first, int second, int x,
@@ -160,9 +188,12 @@ void SegmentCollector::addFaces(const Cell& cell, const std::array<double, 6>& p
       front.depth = mesh_.eyeDepth;
     }
   }
+  add({front.depth, back.depth, front.scalar, back.scalar, cell.number}, x, y);
+}
+
+void SegmentCollector::add(const CellSegment& segment, int x, int y) {
   const int columns = rectangle_.right - rectangle_.left + 1;
-  found_.push_back({{front.depth, back.depth, front.scalar, back.scalar, cell.number},
-                    static_cast<std::uint32_t>((y - rectangle_.top) * columns + x - rectangle_.left)});
+  found_.push_back({segment, static_cast<std::uint32_t>((y - rectangle_.top) * columns + x - rectangle_.left)});
 }
 
 void SegmentCollector::groupByPixel() {

@@ -48,6 +48,9 @@ class SegmentCollector {
   void addAt(const Cell& cell, const std::array<double, 6>& products, int x, int y);
   void addExactlyAt(const Cell& cell, int x, int y);
   void addFaces(const Cell& cell, const std::array<double, 6>& products, int first, int second, int x, int y);
+  void addFromEye(const Cell& cell, const std::array<double, 6>& products, const std::array<int, 6>& signs, int face,
+                  int x, int y);
+  void add(const CellSegment& segment, int x, int y);
   void groupByPixel();
 
   const ScreenMesh& mesh_;

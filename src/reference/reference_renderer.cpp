@@ -1,7 +1,27 @@
 #include "reference/reference_renderer.h"
 
+#include <optional>
+
+#include "reference/lit_ray.h"
+
 namespace havs {
 namespace {
+
+/// Every pixel by color(x, y, segments).
+template <class Color>
+Drawing drawRays(const PreparedScene& prepared, const View& view, const Progress& progress, const Color& color) {
+  Drawing drawing;
+  Image& image = drawing.image;
+  image.width = view.width;
+  image.height = view.height;
+  image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+  const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
+    const RayColor found = color(x, y, segments);
+    for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(found[c]);
+  };
+  drawing.tiles = visitRays(prepared, view, visit, {}, progress);
+  return drawing;
+}
 
 class ReferenceRenderer final : public Renderer {
  public:
@@ -9,17 +29,9 @@ class ReferenceRenderer final : public Renderer {
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     const ScopedStage timer(stages, "draw");
-    Drawing drawing;
-    Image& image = drawing.image;
-    image.width = view.width;
-    image.height = view.height;
-    image.rgba.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
-    const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
-      const RayColor color = function_({prepared_.curve, prepared_.isosurfaces}, segments);
-      for (std::size_t c = 0; c < 4; ++c) image.pixel(x, y)[c] = static_cast<float>(color[c]);
-    };
-    drawing.tiles = visitRays(prepared_, view, visit, {}, progress);
-    return drawing;
+    return drawRays(prepared_, view, progress, [&](int, int, std::span<const CellSegment> segments) {
+      return function_({prepared_.curve, prepared_.isosurfaces}, segments);
+    });
   }
 
  private:
@@ -27,7 +39,31 @@ class ReferenceRenderer final : public Renderer {
   RayFunction function_;
 };
 
+class LitReferenceRenderer final : public Renderer {
+ public:
+  LitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light, bool volume)
+      : prepared_(prepared), plan_(light), volume_(volume) {}
+
+  Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
+    if (!light_) light_.emplace(prepared_, plan_, stages);
+    const LitRays rays(prepared_, plan_, light_->rowsFor(view, stages), light_->lightsFor(view), view, volume_);
+    const ScopedStage timer(stages, "draw");
+    return drawRays(prepared_, view, progress,
+                    [&](int x, int y, std::span<const CellSegment> segments) { return rays.color(x, y, segments); });
+  }
+
+ private:
+  const PreparedScene& prepared_;
+  LightPlan plan_;
+  bool volume_;
+  std::optional<LightData> light_;
+};
+
 }  // namespace
+
+std::unique_ptr<Renderer> makeLitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light, bool volume) {
+  return std::make_unique<LitReferenceRenderer>(prepared, light, volume);
+}
 
 std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared, RayFunction function) {
   return std::make_unique<ReferenceRenderer>(prepared, function);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "light/light_plan.h"
 #include "reference/cell_segments.h"
 #include "reference/ray_sums.h"
 #include "scene/prepared_scene.h"
@@ -15,6 +16,11 @@ namespace havs {
 /// faces. Every point of a ray inside the mesh belongs to exactly one cell, also where the ray runs through an edge or
 /// a vertex. `function`: what a ray gathers. `prepared` must outlive it. Stages timed: draw.
 std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared, RayFunction function = rayColor);
+
+/// The same of a lit scene (LitRays in reference/lit_ray.h); without `volume` its isosurfaces alone. Stages timed
+/// besides: those of LightData.
+std::unique_ptr<Renderer> makeLitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light,
+                                                   bool volume = true);
 
 /// How the work is cut up; the picture does not depend on it.
 struct ReferenceTiles {

@@ -29,8 +29,12 @@ const LookupResource& lookupResource(const std::string& name);
 /// What the fragments of a picture carry besides their distance and kind.
 enum class Payload {
   scalar,
-  color  ///< colour and extinction, evaluated at the vertices (cell data: of the cell)
+  color,  ///< colour and extinction, evaluated at the vertices (cell data: of the cell)
+  lit     ///< a scalar, the light that falls on it, and what the modulation leaves of its extinction
 };
+
+/// Numbers that a fragment carries besides these.
+inline int numbersOf(Payload carries) { return carries == Payload::color ? 4 : carries == Payload::lit ? 3 : 1; }
 
 /// One row of the table of lookups (`--lookup`).
 struct Lookup {

@@ -4,10 +4,22 @@
 
 #include "gl/limits.h"
 #include "reference/reference_renderer.h"
+#include "render/eye_cut_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
 
 namespace havs {
+namespace {
+
+std::unique_ptr<Renderer> makePartRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
+                                           const Progress& progress) {
+  const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
+  if (prepared.mesh.tetrahedra.empty()) return rendererOfNothing(plan.certificate);
+  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.shows, plan.certificate, stages, make)
+                             : make(prepared);
+}
+
+}  // namespace
 
 Capabilities capabilitiesOf(const Device& device) {
   const Limits limit = limits();
@@ -25,12 +37,11 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
-  const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
-  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.shows, plan.certificate, stages, make)
-                             : make(prepared);
+  return rendererForAnyEye(prepared, plan, stages, progress, makePartRenderer);
 }
 
 std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
+  if (isLit(scene)) return makeLitReferenceRenderer(prepared, lightPlanOf(scene), mode(scene.mode).seesVolume);
   return makeReferenceRenderer(prepared, mode(scene.mode).reference);
 }
 

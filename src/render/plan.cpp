@@ -73,6 +73,8 @@ void refuseWhatTheModeLacks(const Scene& scene, const Mode& mode) {
   if (!mode.seesVolume && scene.isosurfaces.empty())
     failInput("the mode " + mode.name + " has nothing to show", "--mode", "add --isosurface VALUE");
   if (mode.gathering == Gathering::composite) return;
+  if (isLit(scene))
+    failInput("the mode " + mode.name + " knows no light", "--mode", "leave lighting out, or draw with --mode volume");
   if (scene.earlyTermination > 0)
     failInput("the mode " + mode.name + " composites nothing that could end pixels early", "--early-termination",
               "leave it out");
@@ -83,6 +85,12 @@ void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method
     failInput("fragments of the lookup '" + chosen.name + "' carry colours, which the visibility method " +
                   method.name + " does not take",
               "--lookup", "draw with --visibility " + methodsWith(&VisibilityMethod::carriesColors));
+  if (isLit(scene) && chosen.carries == Payload::color)
+    failInput("the lookup '" + chosen.name + "' has fragments carry colours, which cannot be lit", "--lookup",
+              "draw with another one");
+  if (isLit(scene) && !method.carriesLight)
+    failInput("the visibility method " + method.name + " does not draw lit scenes", "--visibility",
+              "draw with --visibility " + methodsWith(&VisibilityMethod::carriesLight));
   if (scene.earlyTermination > 0 && !method.endsPixelsEarly)
     failInput("the visibility method " + method.name + " cannot end pixels early", "--early-termination",
               "leave it out, or draw with --visibility " + methodsWith(&VisibilityMethod::endsPixelsEarly));
@@ -140,10 +148,10 @@ int tableSizeOf(const Scene& scene) {
   return table == nullptr ? 0 : scene.tableSize.value_or(table->ownSize);
 }
 
-int entriesPerTarget(const Lookup& lookup) { return lookup.carries == Payload::color ? 1 : 2; }
+int entriesPerTarget(Payload carries) { return carries == Payload::scalar ? 2 : 1; }
 
 int largestK(const Scene& scene, const Capabilities& capabilities) {
-  const int perTarget = entriesPerTarget(lookupOf(scene));
+  const int perTarget = entriesPerTarget(isLit(scene) ? Payload::lit : lookupOf(scene).carries);
   const int mostTargets = (visibilityMethod(scene.visibility).maximumK + 1) / 2;  // at two entries each
   return perTarget * std::min(mostTargets, capabilities.maximumDrawBuffers - 1);
 }
@@ -166,6 +174,7 @@ void checkScene(const Scene& scene) {
   for (const Effect& effect : effects())
     if (effect.wanted(scene)) effect.check(scene);
   if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
+  checkLight(scene);
   sortMethod(scene.sort);
   targetFormat(scene.targetFormat);
   if (const LookupResource* table = tableOf(row)) {
@@ -243,6 +252,7 @@ RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities&
   if (shown.gathering == Gathering::composite) {
     planOrder(result, scene, capabilities);
     result.lookup = lookupOf(scene);
+    planLight(result, scene, facts);
   } else {
     result.lookup = shown.measure;
     if (!shown.measureOfFewKnots.empty() && fewKnots(facts.knotsInCells))

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "light/light_plan.h"
 #include "render/lookups.h"
 #include "render/modes.h"
 #include "render/plan_item.h"
@@ -62,6 +63,7 @@ struct RenderPlan {
   int tileWidth = 0;              ///< the picture is drawn in tiles of at most this size
   int tileHeight = 0;
   double earlyTermination = 0;
+  LightPlan light;
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool isosurfaces = false;
@@ -98,6 +100,12 @@ void checkScene(const Scene& scene);
 std::string lookupFor(double knotsInCells);
 /// Whether to go from knot to knot pays: at most two a cell.
 bool fewKnots(double knotsInCells);
+/// Light: whether fragments carry any, its part of the plan, and of the checks (render/plan_light.cpp).
+bool isLit(const Scene& scene);
+LightPlan lightPlanOf(const Scene& scene);
+void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts);
+void checkLight(const Scene& scene);
+
 /// The row of the scene's lookup; of `auto` one that carries the same. Of a mode that has a lookup of its own, that.
 Lookup lookupOf(const Scene& scene);
 
@@ -105,8 +113,8 @@ Lookup lookupOf(const Scene& scene);
 /// (LookupResource::ownSize); 0 for a lookup without a table. Throws Error{input} for an unknown lookup.
 int tableSizeOf(const Scene& scene);
 
-/// How many k-buffer entries share a target: two that carry a scalar, one that carries a colour.
-int entriesPerTarget(const Lookup& lookup);
+/// How many k-buffer entries share a target: two that carry a scalar alone, else one.
+int entriesPerTarget(Payload carries);
 
 /// The largest k that the scene's visibility method takes on a machine; 0 for a method without k.
 int largestK(const Scene& scene, const Capabilities& capabilities);

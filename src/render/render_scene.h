@@ -43,7 +43,7 @@ struct RenderReport {
   std::optional<Certificate> certificate;
   std::size_t cycles = 0;      ///< cut by the topological order
   StageTimes stages;           ///< read, faces, order, upload, table, draw, flush, readback, total;
-                               ///< k_search where k is searched for, visible (what shows)
+                               ///< k_search where k is searched for, visible (what shows), eye_cut
   double cpuMilliseconds = 0;  ///< of the whole call, all threads
   std::vector<PlanItem> plan;  ///< what was run for it
   bool reference = false;      ///< drawn by drawReference: what is said of OpenGL, the plan and orders is unset
@@ -51,7 +51,7 @@ struct RenderReport {
 };
 
 /// Reads, prepares and draws a scene, Scene::repeat times (medians of each stage; the picture is the last). Throws
-/// Error{input} (anything wrong with the scene, its files, a camera inside the mesh), Error{running} (no context, ...).
+/// Error{input} (anything wrong with the scene, its files), Error{running} (no context, ...).
 RenderReport renderScene(const Scene& scene, const Progress& progress = {});
 
 /// The same of a scene that prepareScene has made ready. `before`: what that took, for the report, its total too; its

@@ -15,6 +15,7 @@ std::span<const VisibilityMethod> visibilityMethods() {
        .maximumK = 14,
        .dropsLateFragments = true,
        .carriesColors = true,
+       .carriesLight = true,
        .gl = {planKBuffer, makeKBufferRenderer},
        .native = {planNativeKBuffer, makeNativeRenderer}},
       {.name = "abuffer",

@@ -35,6 +35,7 @@ struct VisibilityMethod {
   bool endsPixelsEarly = true;          ///< knows early termination (`--early-termination`)
   bool dropsLateFragments = false;      ///< knows late fragments, and may composite them (`--composite-late`)
   bool carriesColors = false;           ///< fragments may carry colours (Payload::color)
+  bool carriesLight = false;            ///< fragments may carry light (Payload::lit)
   DrawingWay gl;                        ///< on OpenGL
   DrawingWay native;                    ///< on the native device; make is null where it does not draw that way
 };

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "mesh/read.h"
 #include "mesh/spatial_order.h"
+#include "scene/clip_scene.h"
 #include "scene/knots_in_cells.h"
 #include "scene/visible_part.h"
 #include "transfer/transfer_function.h"
@@ -142,11 +143,14 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
     prepareCurve(prepared, scene);
     prepared.isosurfaces = prepareIsosurfaces(scene, prepared);
     prepared.scalars = normalisedScalars(prepared.field, prepared.curve);
-    prepared.field.values = {};
     prepared.knotsInCells = meanKnotsInCells(prepared);
     prepared.clearCells = hasClearCells(prepared);
     prepared.cellsWithoutSurface = prepared.isosurfaces.empty() || hasClearCells(prepared, {.volume = false});
+    // Last, so that all that was found out above is of the whole mesh.
+    if (asksForPart(scene)) clip(prepared, scene, prepared.field.values);
+    prepared.field.values = {};
   });
+  if (asksForPart(scene)) prepared.faces = sums.time("faces", [&] { return buildFaces(prepared.mesh); });
   return prepared;
 }
 
@@ -177,21 +181,22 @@ SceneFacts PreparedScene::facts() const {
 }
 
 View viewOf(const Scene& scene, const PreparedScene& prepared) {
-  const View view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
-  if (!view.orthographic && insideMesh(prepared, view.eye))
-    failInput("the camera is inside the mesh", "camera", "move it out, or look with an orthographic projection");
-  return view;
+  return makeView(scene.camera, prepared.frame, scene.width, scene.height);
 }
 
-bool insideMesh(const PreparedScene& prepared, const Vec3& point) {
+bool reachesMesh(const PreparedScene& prepared, const Vec3& point, double reach) {
   std::atomic<bool> found{false};
   const auto& cells = prepared.mesh.tetrahedra;
   parallelFor(0, cells.size(), 16384, [&](std::size_t c) {
     std::array<Vec3, 4> r;
     for (int i = 0; i < 4; ++i) r[i] = prepared.points[cells[c][i]] - point;
-    auto volume = [&](int i, int j, int k) { return dot(cross(r[i], r[j]), r[k]); };
-    const bool inside = volume(1, 2, 3) >= 0 && volume(2, 0, 3) >= 0 && volume(0, 1, 3) >= 0 && volume(1, 0, 2) >= 0;
-    if (inside) found.store(true, std::memory_order_relaxed);
+    // Six volumes with the point and each face: its distance from the face, times twice the face's area.
+    auto within = [&](int i, int j, int k) {
+      const double volume = dot(cross(r[i], r[j]), r[k]);
+      return volume >= 0 || (reach > 0 && -volume <= reach * length(cross(r[j] - r[i], r[k] - r[i])));
+    };
+    if (within(1, 2, 3) && within(2, 0, 3) && within(0, 1, 3) && within(1, 0, 2))
+      found.store(true, std::memory_order_relaxed);
   });
   return found;
 }

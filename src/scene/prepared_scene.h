@@ -34,6 +34,7 @@ struct PreparedScene {
   bool cellsWithoutSurface = false;          ///< SceneFacts::cellsWithoutSurface
   std::vector<double> scalars;               ///< normalised to the domain, [0, 1]; one a point or one a cell
   const PreparedScene* whole = nullptr;      ///< of which this is the part that shows anything (scene/visible_part.h)
+  std::vector<Index> pointsInWhole;          ///< then, the number there of each point; ascending
   std::vector<Index> facesInWhole;           ///< then, the number there of each of `faces`; ascending
 
   SceneFacts facts() const;
@@ -46,10 +47,11 @@ PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progres
 /// Prepares a mesh that is in memory already (tests, studies).
 PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages);
 
-/// The view of the scene's camera. Throws Error{input}: as makeView, and for a camera inside the mesh.
+/// The view of the scene's camera. Throws Error{input} as makeView.
 View viewOf(const Scene& scene, const PreparedScene& prepared);
 
-/// Whether a point of the local frame lies in a cell, its boundary included. Parallel.
-bool insideMesh(const PreparedScene& prepared, const Vec3& point);
+/// Whether a point of the local frame lies in a cell, its boundary included, or beyond no side of one by more than
+/// `reach`. Parallel.
+bool reachesMesh(const PreparedScene& prepared, const Vec3& point, double reach = 0);
 
 }  // namespace havs

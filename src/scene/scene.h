@@ -6,7 +6,9 @@
 
 #include "image/image.h"
 #include "scene/camera.h"
+#include "scene/clipping.h"
 #include "scene/isosurface.h"
+#include "scene/lighting.h"
 
 namespace havs {
 
@@ -26,10 +28,19 @@ struct Scene {
   std::optional<double> unitLength;             ///< mesh units; overrides the transfer function's
   std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
   std::vector<Isosurface> isosurfaces;          ///< with the volume, or alone (mode `isosurfaces`)
+  std::vector<ClipPlane> clipPlanes;            ///< what is in all of these and of the boxes is drawn
+  std::vector<ClipBox> clipBoxes;
+  std::optional<std::array<double, 2>> threshold;  ///< in the data's unit, both included: other cells are holes
   int width = 1024;
   int height = 1024;
   Camera camera;
-  std::string mode = "volume";  ///< what a pixel shows: row of modes() (render/modes.h)
+  std::string mode = "volume";                  ///< what a pixel shows: row of modes() (render/modes.h)
+  std::optional<Lighting> lighting;             ///< by the gradient; empty: colours as they are
+  std::vector<SceneLight> lights;               ///< kMostLights at most; none: a head light where light is needed
+  bool shadows = false;                         ///< lights are dimmed by what they go through; implies lighting
+  std::optional<AmbientOcclusion> occlusion;    ///< dims the ambient light; implies lighting
+  std::optional<AmbientScattering> scattering;  ///< adds light that is scattered on the way
+  double modulation = 0;  ///< 0 to 1: extinction times 1 - modulation + modulation * |gradient| / its largest
   std::string device = "osmesa";
   std::string instructionSet;  ///< of the native device; empty: the widest that the processor has
   std::string visibility = "kbuffer";

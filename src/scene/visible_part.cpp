@@ -135,6 +135,7 @@ std::optional<PreparedScene> visiblePart(const PreparedScene& whole, const WhatS
   const auto scalar = [&](std::size_t i) { return whole.scalars[i]; };
   part.scalars = whole.facts().cellData ? cells.make<double>(scalar) : points.make<double>(scalar);
   part.faces = partOf(whole.faces, points, cells, faces);
+  part.pointsInWhole = points.make<Index>([](std::size_t p) { return static_cast<Index>(p); });
   part.facesInWhole = faces.make<Index>([](std::size_t f) { return static_cast<Index>(f); });
   part.whole = &whole;
   return part;

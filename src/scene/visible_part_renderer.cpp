@@ -44,6 +44,8 @@ class PartRenderer final : public Renderer {
 
 }  // namespace
 
+std::unique_ptr<Renderer> rendererOfNothing(bool certificate) { return std::make_unique<NothingRenderer>(certificate); }
+
 std::unique_ptr<Renderer> rendererOfVisiblePart(
     const PreparedScene& prepared, const WhatShows& what, bool certificate, StageTimes& stages,
     const std::function<std::unique_ptr<Renderer>(const PreparedScene&)>& make) {
@@ -53,7 +55,7 @@ std::unique_ptr<Renderer> rendererOfVisiblePart(
     if (auto visible = visiblePart(prepared, what)) part = std::make_unique<PreparedScene>(std::move(*visible));
   }
   if (!part) return make(prepared);
-  if (part->mesh.tetrahedra.empty()) return std::make_unique<NothingRenderer>(certificate);
+  if (part->mesh.tetrahedra.empty()) return rendererOfNothing(certificate);
   auto renderer = make(*part);
   return std::make_unique<PartRenderer>(std::move(part), std::move(renderer));
 }

@@ -38,13 +38,39 @@ TEST_F(Render, JsonHoldsEveryKey) {
   const auto json = nlohmann::json::parse(render({"-o", "a.png", "--json"}));
   EXPECT_THAT(keysOf(json),
               testing::UnorderedElementsAre("mesh", "field", "settings", "device", "cycles", "stages_ms", "frame_ms",
-                                            "cpu_ms", "peak_memory_bytes", "defects", "notes", "outputs"));
+                                            "ledger", "cpu_ms", "peak_memory_bytes", "defects", "notes", "outputs"));
   EXPECT_THAT(keysOf(json["stages_ms"]), testing::IsSupersetOf({"read", "faces", "order", "upload", "table", "draw",
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
-              testing::UnorderedElementsAre("transfer_function", "camera", "size", "background", "visibility", "k",
+              testing::UnorderedElementsAre("transfer_function", "mode", "isosurfaces", "clip_plane", "clip_box",
+                                            "cut_box", "threshold", "camera", "size", "background", "visibility", "k",
                                             "k_auto", "sort", "lookup", "table", "table_format", "target_format",
                                             "early_termination", "composite_late", "threads", "repeat"));
+}
+
+// The unit cube as it is wanted: half of it, nothing of it, from the middle of it.
+TEST_F(Render, OfPartsOfTheMesh) {
+  const auto cellsDrawn = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"-o", "a.pfm", "--json"});
+    return nlohmann::json::parse(render(options))["mesh"]["drawn_cells"].get<int>();
+  };
+  const int all = cellsDrawn({});
+  EXPECT_GT(cellsDrawn({"--clip-plane", "0.5,0,0,1,0.1,0"}), all);
+  EXPECT_EQ(cellsDrawn({"--clip-plane", "-0.5,0,0,1,0,0"}), all);
+  EXPECT_EQ(cellsDrawn({"--clip-box", "-.5,-.25,0,1,0,1"}), 0);
+  EXPECT_EQ(cellsDrawn({"--cut-box", "-1,2,-1,2,-1,2"}), 0);
+  EXPECT_EQ(cellsDrawn({"--threshold", "-10,-9"}), 0);
+  const Image nothing = readImage(folder / "a.pfm");
+  EXPECT_EQ(nothing.rgba, std::vector<float>(nothing.rgba.size(), 1.0f)) << "the background";
+}
+
+TEST_F(Render, FromWithinTheMesh) {
+  for (const char* device : {"native", "osmesa"}) {
+    render({"--camera", R"({"eye": [0.5, 0.5, 0.5], "target": [0.9, 0.6, 0.7]})", "--device", device, "-o", "a.pfm"});
+    const Image inside = readImage(folder / "a.pfm");
+    for (std::size_t i = 0; i < inside.rgba.size(); i += 4)
+      ASSERT_LT(inside.rgba[i], 0.99f) << device << ": every ray goes through the mesh, before white";
+  }
 }
 
 TEST_F(Render, LookupsTakeTheirNumberAndKeepTheirName) {

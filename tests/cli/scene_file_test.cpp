@@ -59,6 +59,11 @@ TEST_F(SceneFile, SavedFromACommandLineDrawsTheSame) {
       {"--tf", "shells", "--camera", R"({"eye": [3, 2, 1], "target": [0.5, 0.5, 0.5]})", "--unit-length", "0.125"},
       {"--camera", "camera.json", "--projection", "orthographic", "--background", "none", "--lookup", "3d", "--table",
        "16", "--table-format", "rgba8", "--early-termination", "0.75", "--threads", "1"},
+      {"--clip-plane", "0.5,0.5,0.5,1,-0.5,0.25", "--clip-plane", "0,0,1,0,0,-1", "--threshold", "-1,3.5"},
+      {"--clip-box", "0.1,0.9,0.2,2,-1,0.8", "--cut-box", "0,0.5,0,0.5,0,0.5", "--cut-box", "0.7,1,0.7,1,0.7,1"},
+      {"--isosurface", "0.75,red,0.5", "--isosurface", "1.5,0.25,0.5,0.75", "--isosurface", "2,,0.125", "--isosurface",
+       "2.5,#102030", "--isosurface", "1", "--device", "native"},
+      {"--mode", "isosurfaces", "--isosurface", "1.25"},
       {"--paper", "--device", "native", "--k", "auto", "--tetgen", "pq", "--field", "attribute0"}};
   for (const auto& line : lines) {
     std::vector<std::string> all{"render", "cube.node", "--size",       "40x30",
@@ -87,6 +92,12 @@ TEST_F(SceneFile, TheCommandLineWinsAndSetComesBeforeIt) {
   EXPECT_EQ(settings({"scene.json", "--set", "k=5", "--k", "2"})["settings"]["k"], 2);
   EXPECT_EQ(settings({"scene.json", "--set", "background=black"})["settings"]["background"], (Json{0.0, 0.0, 0.0}));
   EXPECT_EQ(settings({"scene.json", "--set", "size=[8, 9]"})["settings"]["size"], (Json{8, 9}));
+  const Json box{0.0, 1.0, 0.0, 1.0, 0.0, 0.5}, other{0.0, 1.0, 0.0, 0.5, 0.0, 1.0};
+  const std::string oneBox = "clip_box=" + box.dump(), twoBoxes = "clip_box=" + Json{box, other}.dump();
+  EXPECT_EQ(settings({"scene.json", "--set", oneBox})["settings"]["clip_box"], Json::array({box}));
+  EXPECT_EQ(settings({"scene.json", "--set", twoBoxes})["settings"]["clip_box"], (Json{box, other}));
+  EXPECT_EQ(settings({"scene.json", "--set", twoBoxes, "--clip-box", "0,1,0,1,0,0.5"})["settings"]["clip_box"],
+            Json::array({box}));
   const Json turned = settings({"scene.json", "--set", "camera.azimuth=90", "--set", "camera.zoom=2"})["settings"];
   EXPECT_EQ(turned["camera"],
             settings({"scene.json", "--camera", R"({"azimuth": 90, "zoom": 2})"})["settings"]["camera"]);
@@ -108,9 +119,19 @@ TEST_F(SceneFile, WrongOnesAreRefused) {
   refused(R"({"version": 1, "mesh": "cube.node", "table": "64"})", "'table' must be a whole number");
   refused(R"({"version": 1, "mesh": "cube.node", "table": 99999999999})", "'table' must be");
   refused(R"({"version": 1, "mesh": "cube.node", "size": [1]})", "'size' must be two");
+  refused(R"({"version": 1, "mesh": "cube.node", "clip_plane": [[0, 0, 0, 1, 0]]})",
+          "'clip_plane' must be a list of six");
+  refused(R"({"version": 1, "mesh": "cube.node", "cut_box": "0,1,0,1,0,1"})", "'cut_box' must be a list of six");
+  refused(R"({"version": 1, "mesh": "cube.node", "clip_box": [0, 1, 1, 0, 0, 1]})", "--clip-box");
+  refused(R"({"version": 1, "mesh": "cube.node", "threshold": 3})", "'threshold' must be two numbers");
   refused(R"({"version": 1, "mesh": "cube.node", "paper": 1})", "'paper' must be true or false");
   refused(R"({"version": 1, "mesh": "cube.node", "camera": {"azimut": 3}})", "'azimuth'");
   refused(R"({"version": 1, "mesh": "cube.node", "outputs": "a.png"})", "'outputs' must be a list");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": 1})", "'isosurfaces' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"color": "red"}]})", "'isosurfaces' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"value": "1"}]})", "'isosurfaces' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"value": 1, "colour": "red"}]})", "'color'");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": {"value": 1, "opacity": 2}})", "opacity");
   refused(R"({"version": 1, "mesh": "no.node"})", "no.node");
   refused(R"({"version": 1, "mesh": "cube.node", "sort": "toplogical"})", "topological");
   expectRefused({"render", "nowhere.json"}, "nowhere.json");

@@ -20,7 +20,7 @@ const std::vector<Refused> kRefused{
     {"NegativeCombinations", {"study", "cube.node", "--out", "out", "--combinations", "-1"}, "--combinations"},
     {"BadBaseline", {"study", "cube.node", "--out", "out", "--k", "99"}, "k is 99"},
     {"BadCamera", {"study", "cube.node", "--out", "out", "--camera", "0,0", "--camera", "up"}, "camera"},
-    {"CameraInside", {"study", "cube.node", "--out", "out", "--camera", R"({"eye": [0.5, 0.4, 0.3]})"}, "inside"},
+    {"BadClipping", {"study", "cube.node", "--out", "out", "--clip-plane", "0,0,0,0,0,0"}, "normal"},
     {"FolderIsAFile", {"study", "cube.node", "--out", "cube.ele"}, "cube.ele"},
     {"FolderInAFile", {"study", "cube.node", "--out", "cube.ele/out"}, "cannot make the folder"},
     {"FolderCannotBeWritten", {"study", "cube.node", "--out", "/proc"}, "/proc"},

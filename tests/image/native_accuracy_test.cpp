@@ -75,7 +75,7 @@ std::optional<Vec3> placeBesideTheMesh(const PreparedScene& prepared) {
     for (int j = -6; j <= 6; ++j)
       for (int k = -6; k <= 6; ++k) {
         const Vec3 place = Vec3{i, j, k} * 0.14 + Vec3{0.011, 0.007, 0.003};
-        if (length(place) >= nearest || insideMesh(prepared, place)) continue;
+        if (length(place) >= nearest || reachesMesh(prepared, place)) continue;
         nearest = length(place);
         best = place;
       }

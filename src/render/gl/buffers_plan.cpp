@@ -19,6 +19,9 @@ void planFaceBuffers(RenderPlan& plan, const SceneFacts& facts) {
     addItem(plan, PlanKind::vertexData, "colour and extinction", "upload_mesh",
             "the lookup '" + plan.lookup.name + "' has fragments carry them", 4 * kBytesPerNumber, "point",
             facts.points);
+  if (plan.light.lit)
+    addItem(plan, PlanKind::vertexData, "light of points", "upload_mesh", "fragments are lit",
+            static_cast<std::size_t>((plan.light.rowLength + 3) / 4 * 4) * kBytesPerNumber, "point", facts.points);
   if (!facts.cellData) return;
   addItem(plan, PlanKind::vertexData, colors ? "colours behind faces" : "scalars behind faces", "upload_mesh",
           "the field belongs to the cells", (colors ? 8 : 2) * kBytesPerNumber, "face", facts.faces);

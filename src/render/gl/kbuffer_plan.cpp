@@ -11,13 +11,25 @@ namespace {
 
 constexpr std::size_t kMostTilePixels = std::size_t{1} << 25;  // a count of each fits into a storage block of 128 MiB
 
+/// How each payload lies in a fragment and in the k-buffer's targets.
+struct PayloadShaders {
+  Payload carries;
+  const char *payload, *entries;
+};
+const PayloadShaders& payloadShaders(Payload carries) {
+  static constexpr PayloadShaders kRows[] = {{Payload::scalar, "payload.glsl", "entries_scalar.glsl"},
+                                             {Payload::color, "payload_color.glsl", "entries_color.glsl"},
+                                             {Payload::lit, "payload_lit.glsl", "entries_lit.glsl"}};
+  return *std::find_if(std::begin(kRows), std::end(kRows), [&](const auto& row) { return row.carries == carries; });
+}
+
 /// What the k-buffer's programs are compiled with.
 ShaderOptions kbufferOptions(const RenderPlan& plan) {
   ShaderOptions options = shaderOptions(plan);
   options.standsFor["target_format.glsl"] = plan.targetFormat.shader;
-  const bool colors = plan.lookup.carries == Payload::color;
-  if (colors) options.standsFor["payload.glsl"] = "payload_color.glsl";
-  options.standsFor["entries.glsl"] = colors ? "entries_color.glsl" : "entries_scalar.glsl";
+  const PayloadShaders& shaders = payloadShaders(plan.lookup.carries);
+  options.standsFor["payload.glsl"] = shaders.payload;
+  options.standsFor["entries.glsl"] = shaders.entries;
   return options;
 }
 
@@ -50,7 +62,7 @@ void planTargets(RenderPlan& plan, const Scene& scene) {
 
 void planKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
   plan.k = scene.k;
-  const int perTarget = entriesPerTarget(plan.lookup);
+  const int perTarget = entriesPerTarget(plan.lookup.carries);
   plan.entryTargets = (scene.k + perTarget - 1) / perTarget;
   if (1 + plan.entryTargets > capabilities.maximumDrawBuffers)
     failRunning("k = " + std::to_string(scene.k) + " needs " + std::to_string(1 + plan.entryTargets) +

@@ -16,6 +16,7 @@
 #include "render/gl/renderers.h"
 #include "render/gl/stage_sum.h"
 #include "render/gl/tile.h"
+#include "light/light_data.h"
 #include "render/make_renderer.h"
 #include "render/scene_sorter.h"
 
@@ -41,6 +42,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
       const ScopedStage timer(stages, "table");
       textures_.emplace(prepared, plan, progress);
     }
+    if (plan.light.lit) light_.emplace(prepared, plan.light, stages);
     const ScopedStage timer(stages, "upload_mesh");
     mesh_.emplace(prepared, plan.lookup.carries);
     glFinish();
@@ -48,6 +50,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
 
   Drawing draw(const View& view, StageTimes& stages, const Progress&) override {
     makeTargets(std::min(plan_.tileWidth, view.width), std::min(plan_.tileHeight, view.height));
+    if (light_) setLight(view, stages);
     FrameTimes times(stages);
     times.order.time([&] { sorter_->sort(viewPointOf(view), order_); });
     Drawing drawing = drawInOrder(view, times);
@@ -99,6 +102,26 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     if (!lateFlag_) return false;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     return lateFlag_->read<std::uint32_t>(1)[0] != 0;
+  }
+
+  void setLight(const View& view, StageTimes& stages) {
+    const std::vector<float>& rows = light_->rowsFor(view, stages);
+    if (light_->version() != lightVersion_) mesh_->setLight(rows, plan_.light.rowLength);
+    lightVersion_ = light_->version();
+    const LightPlan& plan = plan_.light;
+    const Program& program = insert_;
+    const Lighting& l = plan.lighting;
+    program.set("lightCoefficients", glm::vec4(l.ambient, l.diffuse, l.specular, l.silhouettes));
+    program.set("shininess", l.shininess);
+    program.set("modulation", static_cast<float>(plan.modulation));
+    program.set("viewRight", glm::vec3(view.right));
+    program.set("viewUp", glm::vec3(view.up));
+    const std::vector<ViewLight> lights = light_->lightsFor(view);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const std::string at = "[" + std::to_string(i) + "]";
+      program.set(("lightPlaces" + at).c_str(), glm::vec4(glm::vec3(lights[i].place), lights[i].atPlace ? 1.0f : 0.0f));
+      program.set(("lightIntensities" + at).c_str(), static_cast<float>(lights[i].intensity));
+    }
   }
 
   void makeTargets(int width, int height) {
@@ -174,6 +197,8 @@ class KBufferRenderer final : public Renderer, public ChangesK {
   VertexArray emptyArray_{"no vertices"};
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;
+  std::optional<LightData> light_;  ///< only where the plan is lit
+  std::size_t lightVersion_ = 0;
   std::optional<KBufferTargets> targets_;
   std::optional<DonePixels> done_;             ///< only where the plan marks them
   std::optional<CertificateCounter> counter_;  ///< only where the plan asks for a certificate

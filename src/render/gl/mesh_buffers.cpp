@@ -56,7 +56,7 @@ MeshBuffers::MeshBuffers(const PreparedScene& prepared, Payload carries)
 void MeshBuffers::uploadVertices(const PreparedScene& prepared, Payload carries) {
   const bool pointData = !prepared.facts().cellData;
   const std::size_t pointCount = prepared.points.size();
-  std::vector<Index> copied;
+  std::vector<Index>& copied = copied_;
   boundaryCopy_ = numberBoundaryCopies(faces_, pointCount, copied);
   firstBoundaryVertex_ = static_cast<int>(pointCount);
 
@@ -86,6 +86,20 @@ void MeshBuffers::setOrder(const FaceOrder& order) {
     });
   });
   if (order_) order_->upload(std::span(order.faces));
+}
+
+void MeshBuffers::setLight(const std::vector<float>& rows, int rowLength) {
+  const auto length = static_cast<std::size_t>(rowLength), padded = (length + 3) / 4 * 4;
+  const std::size_t points = rows.size() / length;
+  std::vector<float> numbers(padded * (points + copied_.size()));
+  parallelFor(0, points + copied_.size(), 16384, [&](std::size_t i) {
+    const std::size_t p = i < points ? i : copied_[i - points];
+    std::copy_n(&rows[p * length], length, &numbers[i * padded]);
+  });
+  light_ = Buffer::of("light of points", numbers);
+  for (std::size_t vector = 0; vector < padded / 4; ++vector)
+    array_.attribute(static_cast<GLuint>(2 + vector), *light_, 4, GL_FLOAT,
+                     static_cast<GLsizei>(padded * sizeof(float)), 4 * sizeof(float) * vector);
 }
 
 void MeshBuffers::bind() const {

@@ -29,6 +29,9 @@ class MeshBuffers {
   /// order (the uniform firstFace of programs for cell data); it must leave the program in use that is to draw.
   void drawInBatches(const std::function<void(std::size_t firstFace)>& prepare) const;
 
+  /// The light of the points: rows of `rowLength` numbers, one a point.
+  void setLight(const std::vector<float>& rows, int rowLength);
+
   /// Number of the first vertex that is a copy for boundary faces.
   int firstBoundaryVertex() const { return firstBoundaryVertex_; }
 
@@ -37,11 +40,13 @@ class MeshBuffers {
   void uploadVertices(const PreparedScene& prepared, Payload carries);
 
   const Faces& faces_;
+  std::vector<Index> copied_;        ///< points that are there a second time, behind all
   std::vector<Index> boundaryCopy_;  ///< of each point; kNoIndex where it has none
   int firstBoundaryVertex_ = 0;
   std::optional<Buffer> vertices_;
   Buffer indices_;
   std::optional<Buffer> colors_;       ///< of points, where fragments carry them
+  std::optional<Buffer> light_;        ///< of points, padded to four numbers
   std::optional<Buffer> cellScalars_;  ///< cell data: behind each face, seen from its front and from its back (colours)
   std::optional<Buffer> order_;        ///< cell data: the face that each primitive is
   VertexArray array_;

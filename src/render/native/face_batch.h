@@ -56,11 +56,15 @@ constexpr double kFloatError = 0x1p-21;
 /// Of the products of an edge function's terms: the rounding in double, as edgeLimit (raster/edge_function.h) has it.
 constexpr double kDoubleError = 16 * 0x1p-53;
 
+constexpr int kFewValues = 5;  ///< not worth to count those that are used
+
 /// kValues: what is interpolated across a face.
-template <int kValues>
+template <int kMostValues>
 struct FaceBatch {
+  static constexpr int kValues = kMostValues;
   static constexpr int kSum = 3, kNumerator = 4;  ///< behind the edges' functions; a numerator for each value
   static constexpr int kFunctions = kNumerator + kValues;
+  int values = kValues;  ///< of these, so many are used
   using Doubles = double[kBatch];
   using Floats = float[kBatch];
 
@@ -179,7 +183,7 @@ struct FaceBatch {
     for (int i = 0; i < kBatch; ++i)
       put(kSum, i, atOriginD[0][i] + atOriginD[1][i] + atOriginD[2][i], perXD[0][i] + perXD[1][i] + perXD[2][i],
           perYD[0][i] + perYD[1][i] + perYD[2][i], sign[i]);
-    for (int v = 0; v < kValues; ++v)
+    for (int v = 0; v < (kValues > kFewValues ? values : kValues); ++v)
       for (int i = 0; i < kBatch; ++i) {
         const double b = value[v][1][i] - value[v][0][i], c = value[v][2][i] - value[v][0][i];
         put(kNumerator + v, i, b * atOriginD[1][i] + c * atOriginD[2][i], b * perXD[1][i] + c * perXD[2][i],

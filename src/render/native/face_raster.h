@@ -109,7 +109,8 @@ class FaceRaster {
     const int firstColumn = f.left[face] / kStampSide, lastColumn = f.right[face] / kStampSide;
     const int firstRow = f.top[face] / kStampSide, lastRow = f.bottom[face] / kStampSide;
     OfFunctions perX{}, perY{};
-    for (int i = 0; i < Batch::kFunctions; ++i) {
+    const int functions = Batch::kValues > kFewValues ? Batch::kNumerator + f.values : Batch::kFunctions;
+    for (int i = 0; i < functions; ++i) {
       perX[i] = f.perX[i][face];
       perY[i] = f.perY[i][face];
       for (int group = 0; group < kGroups; ++group)

@@ -115,7 +115,7 @@ class SegmentGatherer {
     segment.scalarBack = clamped(scalar + rate * (exit * toEntry * scale));
     segment.length = (exit - entry) * scale * Lanes::load(tile_.rayScale + firstPixel);
     tile_.fragments += static_cast<unsigned>(std::popcount(touched.bits));
-    queueSegment<Lanes, 1>(tile_, segment, touched.bits, firstPixel);
+    queueSegment<Lanes>(tile_, segment, touched.bits, firstPixel);
   }
 
   static constexpr int kMostListed = 32;  ///< before they are drawn; and those of another row of stamps

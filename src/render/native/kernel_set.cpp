@@ -8,21 +8,35 @@
 namespace havs {
 namespace {
 
-template <int kAttributes, int K = 1>
+template <template <class> class PayloadOf, int K = 1>
 TileKernel kernelOf(int k) {
   if constexpr (K > kLargestK) {
     return nullptr;
   } else {
-    return k == K ? drawTileKernel<SimdLanes, EntriesOfPixels<SimdLanes, K, kAttributes>, kAttributes>
-                  : kernelOf<kAttributes, K + 1>(k);
+    return k == K ? drawTileKernel<SimdLanes, EntriesOfPixels<SimdLanes, K, PayloadOf>> : kernelOf<PayloadOf, K + 1>(k);
   }
 }
 
-TileKernel tileKernel(int k, Payload carries) { return carries == Payload::color ? kernelOf<4>(k) : kernelOf<1>(k); }
+TileKernel tileKernel(int k, Payload carries) {
+  switch (carries) {
+    case Payload::color:
+      return kernelOf<ColorPayload>(k);
+    case Payload::lit:
+      return kernelOf<LitPayload>(k);
+    default:
+      return kernelOf<ScalarPayload>(k);
+  }
+}
 
 TileKernel orderedTileKernel(Payload carries) {
-  return carries == Payload::color ? drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, 4>, 4>
-                                   : drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, 1>, 1>;
+  switch (carries) {
+    case Payload::color:
+      return drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, ColorPayload>>;
+    case Payload::lit:
+      return drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, LitPayload>>;
+    default:
+      return drawTileKernel<SimdLanes, LastOfPixels<SimdLanes, ScalarPayload>>;
+  }
 }
 
 TileKernel extremeKernel(bool greatest) {

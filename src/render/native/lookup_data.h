@@ -34,6 +34,7 @@ struct LookupData {
   bool cellData = false;
   bool opaqueSurfaces = false;
   bool isosurfaces = false;
+  bool lit = false;  ///< segments carry light
 };
 
 }  // namespace havs

@@ -47,13 +47,12 @@ void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& f
               "leave it out, or draw on another device");
   plan.k = scene.k;
   plan.targetFormat = targetFormat(scene.targetFormat);
-  const int attributes = plan.lookup.carries == Payload::color ? 4 : 1;
   planMesh(plan, facts);
   planKernels(plan, "k-buffer of " + std::to_string(plan.k), "the visibility method kbuffer");
   if (plan.speculate && plan.k > 1 && !(plan.earlyTermination > 0))
     addProgram(plan, "ordered tiles", "", "last fragment, " + plan.instructionSet,
                "most pixels have their fragments in order; the others are drawn again", {});
-  planTiles(plan, 2 + plan.k * (2 + attributes), "k is " + std::to_string(plan.k));
+  planTiles(plan, 2 + plan.k * (2 + numbersOf(plan.lookup.carries)), "k is " + std::to_string(plan.k));
   addItem(plan, PlanKind::pass, "draw the tiles", "draw", "the mode " + plan.mode);
 }
 

@@ -11,9 +11,11 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "render/fragment_values.h"
+#include "light/light_data.h"
 #include "render/make_renderer.h"
 #include "render/native/kernels.h"
 #include "render/native/renderers.h"
+#include "render/native/tile_light_data.h"
 #include "render/native/tile_worker.h"
 #include "render/scene_sorter.h"
 
@@ -49,6 +51,7 @@ class NativeRenderer final : public Renderer {
     } else {
       setGathering(instructions.kernels());
     }
+    if (plan.light.lit) light_.emplace(prepared, plan.light, stages);
     prepareMesh();
   }
 
@@ -60,6 +63,10 @@ class NativeRenderer final : public Renderer {
     mesh_.fixedDistance = view.orthographic ? 1 : mesh_.fixedDepth - eyeDepth;
     mesh_.width = view.width;
     mesh_.height = view.height;
+    if (light_) {
+      tileLight_ = tileLight(plan_.light, light_->rowsFor(view, stages), light_->lightsFor(view), view);
+      setting_.light = &tileLight_;
+    }
     const TileGrid grid = tileGrid(view.width, view.height, plan_.tileWidth);
     {
       const ScopedStage timer(stages, "order");
@@ -124,7 +131,7 @@ class NativeRenderer final : public Renderer {
     if (plan_.speculate && plan_.k > 1 && !(plan_.earlyTermination > 0))
       setting_.ordered = kernels.orderedTileKernel(plan_.lookup.carries);
     setting_.k = plan_.k;
-    setting_.attributes = plan_.lookup.carries == Payload::color ? 4 : 1;
+    setting_.attributes = numbersOf(plan_.lookup.carries);
     setting_.certificate = plan_.certificate;
     setting_.compositeLate = plan_.compositeLate;
     if (plan_.earlyTermination > 0) setting_.terminalOpacity = static_cast<float>(plan_.earlyTermination);
@@ -214,6 +221,8 @@ class NativeRenderer final : public Renderer {
   std::vector<float> ofCells_;                // cell data, Gathering::sum
   std::vector<ColorAndExtinction> colors_;    // Payload::color
   std::vector<std::array<ColorAndExtinction, 2>> colorsBehind_;
+  std::optional<LightData> light_;  // Payload::lit
+  TileLight tileLight_{};
   FaceOrder order_;
   FaceBins bins_;
 };

@@ -8,43 +8,23 @@
 namespace havs {
 namespace {
 
-template <int kAttributes, class Lanes>
-struct PayloadFor;
-template <class Lanes>
-struct PayloadFor<1, Lanes> {
-  template <class L>
-  using Type = ScalarPayload<L>;
-};
-template <class Lanes>
-struct PayloadFor<4, Lanes> {
-  template <class L>
-  using Type = ColorPayload<L>;
-};
-
 /// What a stamp's pixels keep of a fragment, in floats of kStampPixels lanes each.
-template <class A, class Lanes, int kAttributes>
+template <class A, class Lanes>
 struct StoredFragment {
-  static constexpr int kNumbers = 2 + kAttributes;
+  static constexpr int kOfPayload = A::Payload::kNumbers;
+  static constexpr int kNumbers = 2 + kOfPayload;
 
   static typename A::Fragment load(const float* at) {
     typename A::Fragment f;
     f.distance = Lanes::load(at);
     f.payload.kind = Lanes::load(at + kStampPixels);
-    if constexpr (kAttributes == 1) {
-      f.payload.scalar = Lanes::load(at + 2 * kStampPixels);
-    } else {
-      for (int i = 0; i < kAttributes; ++i) f.payload.color[i] = Lanes::load(at + (2 + i) * kStampPixels);
-    }
+    for (int i = 0; i < kOfPayload; ++i) f.payload.number(i) = Lanes::load(at + (2 + i) * kStampPixels);
     return f;
   }
-  static void store(float* at, const typename A::Fragment& f) {
+  static void store(float* at, typename A::Fragment f) {
     Lanes::store(at, f.distance);
     Lanes::store(at + kStampPixels, f.payload.kind);
-    if constexpr (kAttributes == 1) {
-      Lanes::store(at + 2 * kStampPixels, f.payload.scalar);
-    } else {
-      for (int i = 0; i < kAttributes; ++i) Lanes::store(at + (2 + i) * kStampPixels, f.payload.color[i]);
-    }
+    for (int i = 0; i < kOfPayload; ++i) Lanes::store(at + (2 + i) * kStampPixels, f.payload.number(i));
   }
 };
 
@@ -57,11 +37,11 @@ struct Inserted {
 };
 
 /// The k-buffer of a group's pixels.
-template <class Lanes, int K, int kAttributes>
+template <class Lanes, int K, template <class> class PayloadOf>
 class EntriesOfPixels {
  public:
-  using A = Arithmetic<Lanes, K, PayloadFor<kAttributes, Lanes>::template Type>;
-  using Stored = StoredFragment<A, Lanes, kAttributes>;
+  using A = Arithmetic<Lanes, K, PayloadOf>;
+  using Stored = StoredFragment<A, Lanes>;
   static constexpr bool kFlagsWrong = false;  ///< wrong fragments are late: counted
   static constexpr int kNumbers = 2 + K * Stored::kNumbers;
 
@@ -131,11 +111,11 @@ class EntriesOfPixels {
 /// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, and its pixel
 /// flagged; in all others every k gives the same segments, to the last bit. With cell data the order is believed where
 /// distances differ by their rounding only (TileDraw::sameDistance).
-template <class Lanes, int kAttributes>
+template <class Lanes, template <class> class PayloadOf>
 class LastOfPixels {
  public:
-  using A = Arithmetic<Lanes, 1, PayloadFor<kAttributes, Lanes>::template Type>;
-  using Stored = StoredFragment<A, Lanes, kAttributes>;
+  using A = Arithmetic<Lanes, 1, PayloadOf>;
+  using Stored = StoredFragment<A, Lanes>;
   static constexpr bool kFlagsWrong = true;
   static constexpr int kNumbers = Stored::kNumbers;
 

@@ -8,18 +8,23 @@ namespace havs {
 namespace {
 
 /// Those of the lanes of `bits`; `firstPixel`: number in the tile of the pixel of lane 0. Flushes a full queue.
-template <class Lanes, int kAttributes, class Segment>
-void queueSegment(TileDraw& tile, const Segment& segment, unsigned bits, int firstPixel) {
+template <class Lanes, class Segment>
+void queueSegment(TileDraw& tile, Segment segment, unsigned bits, int firstPixel) {
   SegmentQueue& queue = *tile.queue;
   const auto mask = Lanes::maskOf(bits);
   const std::size_t at = queue.count;
-  if constexpr (kAttributes == 1) {
+  constexpr bool kScalars = requires { segment.front.scalar; }
+  || !requires { segment.front; };
+  if constexpr (kScalars) {
     Lanes::compress(&queue.scalarFront[at], segment.scalarFront, mask, bits);
     Lanes::compress(&queue.scalarBack[at], segment.scalarBack, mask, bits);
-  } else {
-    for (int i = 0; i < 4; ++i) {
-      Lanes::compress(&queue.front[i][at], segment.front.color[i], mask, bits);
-      Lanes::compress(&queue.back[i][at], segment.back.color[i], mask, bits);
+  }
+  if constexpr (requires { segment.front; }) {
+    constexpr int kFirst = kScalars ? 1 : 0;  // the scalar is not there twice
+    for (int i = kFirst; i < decltype(segment.front)::kNumbers; ++i) {
+      const auto channel = static_cast<std::size_t>(i - kFirst);
+      Lanes::compress(&queue.front[channel][at], segment.front.number(i), mask, bits);
+      Lanes::compress(&queue.back[channel][at], segment.back.number(i), mask, bits);
     }
   }
   Lanes::compress(&queue.length[at], segment.length, mask, bits);

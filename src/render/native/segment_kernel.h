@@ -18,6 +18,7 @@
 #define UNIFORM(T, name) const T name = uniform<T>(data, nameKey(#name))
 #define HAVS_OPAQUE_SURFACES
 #define HAVS_ISOSURFACES
+#define HAVS_LIT
 
 namespace havs {
 
@@ -53,10 +54,17 @@ struct Shading {
   static bool anyLane(Mask mask) { return Lanes::anyLane(mask); }
   static Int toInt(Real x) { return Lanes::toInt(x); }
 
-  /// The first of a colour's channels in the queue, read only by lookups that ask for it.
+  /// The first of a segment end's channels in the queue, read only by what asks for it; or, within a segment, the light
+  /// and density there.
   struct Payload {
     const float* channels;
+    Real light, density;
   };
+  static Payload makeLight(Real light, Real density) { return {nullptr, light, density}; }
+  static Real lightOf(const Payload& p) { return p.channels != nullptr ? Lanes::load(p.channels) : p.light; }
+  static Real densityOf(const Payload& p) {
+    return p.channels != nullptr ? Lanes::load(p.channels + SegmentQueue::kRoom) : p.density;
+  }
   static Rgba colorOf(Payload payload) {
     const auto channel = [&](std::size_t c) { return Lanes::load(payload.channels + c * SegmentQueue::kRoom); };
     return {channel(0), channel(1), channel(2), channel(3)};
@@ -67,6 +75,7 @@ struct Shading {
   const bool cellData = data.cellData;
   const bool opaqueSurfaces = data.opaqueSurfaces;
   const bool isosurfaces = data.isosurfaces;
+  const bool lit = data.lit;
 
 #include "core/segment.glsl"
 // what uses it
@@ -75,8 +84,8 @@ struct Shading {
 
 Shading::Segment segmentAt(const QueuedSegments& segments, std::size_t i) {
   Shading::Segment segment;
-  segment.front = {segments.front + i};
-  segment.back = {segments.back + i};
+  segment.front.channels = segments.front + i;
+  segment.back.channels = segments.back + i;
   segment.scalarFront = Lanes::load(segments.scalarFront + i);
   segment.scalarBack = Lanes::load(segments.scalarBack + i);
   segment.length = Lanes::load(segments.length + i);
@@ -99,6 +108,7 @@ template <class AnyShading>
     const auto work = [&](std::size_t first, std::int32_t* turns) {
       Lanes::storeInts(turns, Lanes::toInt(shading.workOf(segmentAt(QueuedSegments(queue), first))));
     };
+    if (shading.lit) return false;  // what segments carry besides scalars is not put in order
     if (!manyIdle(queue.count, work)) return false;
     const EqualWork sorted(queue, work);
     const QueuedSegments segments = sorted.segments(queue);

@@ -15,7 +15,7 @@ struct SegmentQueue {
   alignas(64) std::array<float, kRoom> scalarBack;
   alignas(64) std::array<float, kRoom> length;  ///< local units, >= 0
   /// Of segments whose ends carry colours (Payload::color), in place of the scalars: r, g, b and extinction as a
-  /// fraction of the largest.
+  /// fraction of the largest. Of those that carry light (Payload::lit), besides the scalars: light and density.
   alignas(64) std::array<std::array<float, kRoom>, 4> front;
   alignas(64) std::array<std::array<float, kRoom>, 4> back;
   alignas(64) std::array<std::int32_t, kRoom> pixel;  ///< number of the pixel in its tile

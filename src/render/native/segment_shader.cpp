@@ -62,8 +62,9 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
     addNumber(lookup, "mostExtinction", static_cast<float>(prepared.curve.maximumKappa));
   lookup.lookupNumber = plan.lookup.number;
   lookup.cellData = plan.cellData;
-  lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries == Payload::scalar;
+  lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries != Payload::color;
   lookup.isosurfaces = plan.isosurfaces;
+  lookup.lit = plan.lookup.carries == Payload::lit;
 }
 
 SegmentShader::SegmentShader(SegmentShader&& other) noexcept = default;

@@ -6,6 +6,7 @@
 
 #include "raster/screen_points.h"
 #include "render/native/segment_queue.h"
+#include "render/native/tile_light.h"
 
 namespace havs {
 
@@ -66,6 +67,7 @@ struct TileDraw {
   std::uint64_t fragments;
   std::uint64_t lateFragments;  ///< that a kernel of the full k has met
 
+  const TileLight* light;  ///< Payload::lit; or null
   SegmentQueue* queue;
   /// Colours the queue's segments, composites them and empties it.
   void (*flush)(TileDraw& tile);

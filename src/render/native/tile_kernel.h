@@ -3,15 +3,27 @@
 // arithmetic of shaders/core/kbuffer.glsl, and what leaves as visible segments goes into a queue, full lanes of which
 // are coloured later; compositing keeps the order of each pixel.
 #include "render/native/face_raster.h"
+#include "render/native/fragment_light.h"
 #include "render/native/pixel_buffers.h"
 #include "render/native/queue_segments.h"
 
 namespace havs {
 namespace {
 
-template <class Lanes, class Pixels, int kAttributes>
-class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDrawer<Lanes, Pixels, kAttributes>> {
+/// Numbers that are interpolated across a face besides the depth.
+template <class Payload>
+inline constexpr int kAttributesOf = Payload::kNumbers;
+template <class Lanes>
+inline constexpr int kAttributesOf<LitPayload<Lanes>> = 1 + kMostRowNumbers;
+
+template <class Lanes, class Pixels>
+class TileDrawer
+    : public FaceRaster<Lanes, FaceBatch<1 + kAttributesOf<typename Pixels::A::Payload>>, TileDrawer<Lanes, Pixels>> {
   using A = typename Pixels::A;
+  using Payload = typename A::Payload;
+  static constexpr int kAttributes = kAttributesOf<Payload>;
+  static constexpr bool kLit = std::is_same_v<Payload, LitPayload<Lanes>>;
+  static constexpr bool kColors = std::is_same_v<Payload, ColorPayload<Lanes>>;
   using Batch = FaceBatch<1 + kAttributes>;
   using Raster = FaceRaster<Lanes, Batch, TileDrawer>;
   friend Raster;
@@ -27,7 +39,9 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
   using typename Raster::Real;
 
  public:
-  explicit TileDrawer(TileDraw& tile) : Raster(tile) {}
+  explicit TileDrawer(TileDraw& tile) : Raster(tile) {
+    if constexpr (kLit) batch_.values = 2 + tile.light->rowLength;
+  }
 
   void draw() {
     begin();
@@ -51,7 +65,7 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
   /// The visible ones of `bits`.
   void takeSegment(const typename A::Segment& segment, unsigned bits, int firstPixel) {
     bits &= Lanes::bitsOf(segment.visible);
-    if (bits != 0) queueSegment<Lanes, kAttributes>(tile_, segment, bits, firstPixel);
+    if (bits != 0) queueSegment<Lanes>(tile_, segment, bits, firstPixel);
   }
 
   /// One fragment in each of the pixels of `bits`, a group of lanes of a stamp.
@@ -95,22 +109,24 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
   }
 
   // ------------------------------------------------------------------------------------------ fragments
+  /// Of the numbers that are interpolated, so many are used.
+  int attributes() const { return kLit ? batch_.values - 1 : kAttributes; }
+
   void prepareFace(int i) {
     for (int j = 0; j < 3; ++j) batch_.value[0][j][i] = batch_.depth[j][i];
-    for (int a = 0; a < kAttributes; ++a) {
+    for (int a = 0; a < attributes(); ++a) {
       double value[3];
       attributesOf(batch_.corners[i], batch_.face[i], batch_.entersMesh[i], a, value);
       for (int j = 0; j < 3; ++j) batch_.value[1 + a][j][i] = value[j];
-      if constexpr (kAttributes == 1) {
-        const Bounds bounds = boundsOf(value);
-        batch_.low[i] = bounds.low;
-        batch_.high[i] = bounds.high;
-      }
+      if (a > 0) continue;
+      const Bounds bounds = boundsOf(value);
+      batch_.low[i] = bounds.low;
+      batch_.high[i] = bounds.high;
     }
   }
 
-  /// Of the scalar: with isosurfaces those of the corners, so that a ray in a region of one value does not waver about
-  /// a surface of that value.
+  /// Of the first attribute, the scalar: with isosurfaces those of the corners, so that a ray in a region of one value
+  /// does not waver about a surface of that value.
   struct Bounds {
     float low = 0, high = 1;
   };
@@ -124,11 +140,14 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
   void attributesOf(const FaceCorners& corners, std::uint32_t face, bool entersMesh, int a, double* value) const {
     const RasterMesh& mesh = tile_.mesh;
     for (int i = 0; i < 3; ++i) {
-      if constexpr (kAttributes == 1) {
-        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1]) : corners.p[i]->scalar;
-      } else {
+      if constexpr (kColors) {
         const std::size_t at = mesh.cellData ? 2 * std::size_t{face} + (entersMesh ? 0 : 1) : corners.index[i];
         value[i] = static_cast<double>(mesh.colors[at][a]);
+      } else if (a == 0) {
+        value[i] = mesh.cellData ? static_cast<double>(mesh.behind[face][entersMesh ? 0 : 1]) : corners.p[i]->scalar;
+      } else if constexpr (kLit) {
+        const TileLight& light = *tile_.light;
+        value[i] = static_cast<double>(light.rows[std::size_t{corners.index[i]} * light.rowLength + (a - 1)]);
       }
     }
   }
@@ -137,47 +156,59 @@ class TileDrawer : public FaceRaster<Lanes, FaceBatch<1 + kAttributes>, TileDraw
   void drawCovered(int face, int stamp, int group, unsigned covered, const Function& function) {
     const Batch& f = batch_;
     const Real perSum = Real(1.0f) / function(Batch::kSum);
-    const Real scale = Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
     auto value = [&](int i) { return Real(f.value0[i][face]) + function(Batch::kNumerator + i) * perSum; };
-    typename A::Fragment fragment;
-    fragment.distance = value(0) * scale;
-    fragment.payload.kind = Real(f.kind[face]);
-    if constexpr (kAttributes == 1) {
-      fragment.payload.scalar = clamped(value(1), f.low[face], f.high[face]);
-    } else {
-      for (int i = 0; i < kAttributes; ++i) fragment.payload.color[i] = clamped(value(1 + i));
-    }
-    insert(stamp, group, covered, fragment);
+    insert(stamp, group, covered, fragmentOf(stamp, group, Real(f.kind[face]), {f.low[face], f.high[face]}, value));
   }
 
   void drawHit(int i, int stamp, int pixel, const FaceHit& hit) {
     const FaceCorners& corners = batch_.corners[i];
-    const RasterPoint* const* p = corners.p;
     const bool entersMesh = (hit.sign < 0) != corners.reversed;
-    const double depth = meanOf(hit, p[0]->depth, p[1]->depth, p[2]->depth);
-    const int group = pixel / kLanes, lane = pixel % kLanes;
-    const float scale = tile_.rayScale[stamp * kStampPixels + pixel];
-    typename A::Fragment fragment;
-    fragment.distance = Real(static_cast<float>(depth) * scale);
-    fragment.payload.kind = Real(batch_.boundary[i] ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
-    for (int a = 0; a < kAttributes; ++a) {
-      double value[3];
-      attributesOf(corners, batch_.face[i], entersMesh, a, value);
-      const Real number(static_cast<float>(meanOf(hit, value[0], value[1], value[2])));
-      if constexpr (kAttributes == 1) {
-        const Bounds bounds = boundsOf(value);
-        fragment.payload.scalar = clamped(number, bounds.low, bounds.high);
+    auto value = [&](int v) {
+      double at[3];
+      if (v == 0) {
+        for (int j = 0; j < 3; ++j) at[j] = corners.p[j]->depth;
       } else {
-        fragment.payload.color[a] = clamped(number);
+        attributesOf(corners, batch_.face[i], entersMesh, v - 1, at);
       }
+      return Real(static_cast<float>(meanOf(hit, at[0], at[1], at[2])));
+    };
+    const Real kind = Real(batch_.boundary[i] ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
+    const int group = pixel / kLanes, lane = pixel % kLanes;
+    double scalar[3];
+    attributesOf(corners, batch_.face[i], entersMesh, 0, scalar);
+    insert(stamp, group, 1u << lane, fragmentOf(stamp, group, kind, boundsOf(scalar), value));
+  }
+
+  /// value(0): the depth; value(1 + a): attribute a.
+  template <class Value>
+  typename A::Fragment fragmentOf(int stamp, int group, Real kind, const Bounds& bounds, const Value& value) const {
+    const Real depth = value(0), scale = Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
+    typename A::Fragment fragment;
+    fragment.distance = depth * scale;
+    fragment.payload.kind = kind;
+    if constexpr (kLit) {
+      fragment.payload.scalar = clamped(value(1), bounds.low, bounds.high);
+      Real row[kMostRowNumbers];
+      for (int i = 0; i < tile_.light->rowLength; ++i) row[i] = value(2 + i);
+      auto number = [&](int i) { return row[i]; };
+      const FragmentLight<A, Lanes> light{*tile_.light};
+      const int left = tile_.left + stamp % tile_.stampsAcross * kStampSide;
+      const int top = tile_.top + stamp / tile_.stampsAcross * kStampSide;
+      const Real x = Real(static_cast<float>(left)) + Lanes::load(kLaneX + group * kLanes);
+      const Real y = Real(static_cast<float>(top)) + Lanes::load(kLaneY + group * kLanes);
+      fragment.payload.light = light.at(x, y, depth, Real(1.0f) / scale, number);
+      fragment.payload.density = light.densityAt(number);
+    } else {
+      fragment.payload.number(0) = clamped(value(1), bounds.low, bounds.high);
+      for (int i = 1; i < kAttributes; ++i) fragment.payload.number(i) = clamped(value(1 + i));
     }
-    insert(stamp, group, 1u << lane, fragment);
+    return fragment;
   }
 };
 
-template <class Lanes, class Pixels, int kAttributes>
+template <class Lanes, class Pixels>
 void drawTileKernel(TileDraw& tile) {
-  TileDrawer<Lanes, Pixels, kAttributes>(tile).draw();
+  TileDrawer<Lanes, Pixels>(tile).draw();
 }
 
 }  // namespace

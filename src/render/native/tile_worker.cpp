@@ -95,6 +95,7 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
   tile_.queue = queue_.get();
   tile_.flush = setting.adds ? addQueue : flushQueue;
   tile_.shader = setting.shader;
+  tile_.light = setting.light;
   tile_.terminalOpacity = setting.terminalOpacity;
 }
 

@@ -21,6 +21,7 @@ struct TileSetting {
   bool compositeLate = false;
   float terminalOpacity = 2;
   const SegmentShader* shader = nullptr;
+  const TileLight* light = nullptr;        ///< Payload::lit
   bool adds = false;                       ///< segments add up in a pixel, instead of being composited
   std::array<float, 4> start{0, 0, 0, 0};  ///< what a pixel holds before anything is drawn
 };

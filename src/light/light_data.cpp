@@ -1,0 +1,178 @@
+#include "light/light_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "light/ambient_occlusion.h"
+#include "light/ambient_scattering.h"
+#include "light/point_gradients.h"
+#include "light/scattering_table.h"
+#include "light/shadows.h"
+
+namespace havs {
+namespace {
+
+constexpr std::size_t kGrain = 8192;
+
+Medium mediumOf(const PreparedScene& scene) {
+  return {scene.points, scene.mesh.tetrahedra, scene.faces, scene.scalars, scene.facts().cellData, scene.curve};
+}
+
+/// Which points of the whole the drawn part has; empty: all.
+std::vector<std::uint8_t> maskOf(const PreparedScene& drawn) {
+  std::vector<std::uint8_t> mask;
+  if (drawn.whole == nullptr) return mask;
+  mask.assign(drawn.whole->points.size(), 0);
+  for (const Index p : drawn.pointsInWhole) mask[p] = 1;
+  return mask;
+}
+
+ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& view) {
+  ViewLight placed;
+  placed.intensity = light.intensity;
+  switch (light.kind) {
+    case SceneLight::Kind::head:
+      placed.atPlace = !view.orthographic;
+      placed.place = view.orthographic ? -view.forward : view.eye;
+      break;
+    case SceneLight::Kind::directional:
+      placed.place = normalize(light.place);
+      break;
+    case SceneLight::Kind::point:
+      placed.atPlace = true;
+      placed.place = frame.toLocal(light.place);
+      break;
+  }
+  return placed;
+}
+
+Light asLight(const ViewLight& light) {
+  return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
+}
+
+}  // namespace
+
+/// What is known of all points of the whole mesh.
+struct LightData::Whole {
+  const PreparedScene& drawn;
+  const PreparedScene& scene;
+  LightPlan plan;
+  std::vector<std::uint8_t> mask;
+  std::optional<MeshTracer> tracer;
+  std::vector<float> rows;  ///< of the points drawn
+  std::vector<double> opticalRadius;
+  std::optional<ScatteredLight> scattered;
+  std::vector<Light> lights;  ///< that shadows and scattering were made for
+  ScatteringData scattering;
+  std::size_t version = 1;
+
+  Whole(const PreparedScene& part, const LightPlan& lightPlan)
+      : drawn(part), scene(part.whole != nullptr ? *part.whole : part), plan(lightPlan), mask(maskOf(part)) {
+    rows.resize(drawn.points.size() * static_cast<std::size_t>(plan.rowLength));
+  }
+
+  /// Writes number `at` of each row: valueOf(point of the whole).
+  template <class ValueOf>
+  void put(int at, const ValueOf& valueOf) {
+    parallelFor(0, drawn.points.size(), kGrain, [&](std::size_t p) {
+      const std::size_t inWhole = drawn.whole != nullptr ? drawn.pointsInWhole[p] : p;
+      rows[p * static_cast<std::size_t>(plan.rowLength) + static_cast<std::size_t>(at)] =
+          static_cast<float>(valueOf(inWhole));
+    });
+  }
+
+  bool traces() const { return plan.occlusionAt >= 0 || plan.scatteredAt >= 0 || plan.shadowsAt >= 0; }
+
+  /// As fractions of the largest of the whole mesh, whatever part is drawn.
+  void putGradients() {
+    const bool cellData = scene.facts().cellData;
+    const PointCells around(scene.points.size(), scene.mesh.tetrahedra);
+    const std::vector<Vec3> gradients =
+        pointGradients(scene.points, scene.mesh.tetrahedra, around, scene.scalars, cellData);
+    double largest = 0;
+    for (const Vec3& g : gradients) largest = std::max(largest, dot(g, g));
+    const double per = largest > 0 ? 1 / std::sqrt(largest) : 0;
+    for (int axis = 0; axis < 3; ++axis)
+      put(LightPlan::kGradient + axis, [&](std::size_t p) { return gradients[p][axis] * per; });
+  }
+
+  void putBalls() {
+    if (plan.occlusion) {
+      const BallSetting setting{plan.occlusion->radius, static_cast<std::size_t>(plan.occlusion->directions)};
+      const std::vector<double> occlusion = ambientOcclusion(*tracer, setting, mask);
+      put(plan.occlusionAt, [&](std::size_t p) { return occlusion[p]; });
+    }
+  }
+
+  void makeScattered() {
+    const AmbientScattering& s = *plan.scattering;
+    opticalRadius = ballValues(*tracer, {s.radius, BallSetting{}.directions}, mask).opticalRadius;
+    scattered.emplace(ScatteringTable({.g = s.anisotropy}), s.albedo);
+  }
+};
+
+LightData::LightData(const PreparedScene& drawn, const LightPlan& plan, StageTimes& stages)
+    : whole_(std::make_unique<Whole>(drawn, plan)) {
+  for (const SceneLight& light : plan.lights)
+    if (light.kind == SceneLight::Kind::directional && !(dot(light.place, light.place) > 0))
+      failInput("a directional light has no direction", "lights", "give it a vector other than 0,0,0");
+  {
+    const ScopedStage timer(stages, "gradients");
+    whole_->putGradients();
+  }
+  if (!whole_->traces()) return;
+  {
+    const ScopedStage timer(stages, "tracer");
+    whole_->tracer.emplace(mediumOf(whole_->scene));
+  }
+  if (plan.occlusion) {
+    const ScopedStage timer(stages, "occlusion");
+    whole_->putBalls();
+  }
+  if (plan.scattering) {
+    const ScopedStage timer(stages, "scattering");
+    whole_->makeScattered();
+  }
+}
+
+LightData::~LightData() = default;
+LightData::LightData(LightData&&) noexcept = default;
+
+std::size_t LightData::version() const { return whole_->version; }
+
+std::vector<ViewLight> LightData::lightsFor(const View& view) const {
+  std::vector<ViewLight> lights;
+  for (const SceneLight& light : whole_->plan.lights) lights.push_back(placed(light, whole_->scene.frame, view));
+  return lights;
+}
+
+const std::vector<float>& LightData::rowsFor(const View& view, StageTimes& stages) {
+  Whole& w = *whole_;
+  if (w.plan.shadowsAt < 0 && w.plan.scatteredAt < 0) return w.rows;
+  std::vector<Light> lights;
+  for (const ViewLight& light : lightsFor(view)) lights.push_back(asLight(light));
+  const auto same = [](const Light& a, const Light& b) { return a.kind == b.kind && a.place == b.place; };
+  const bool moved =
+      lights.size() != w.lights.size() || !std::equal(lights.begin(), lights.end(), w.lights.begin(), same);
+  w.lights = lights;
+  if (moved || w.plan.scatteredAt >= 0) ++w.version;
+  if (w.plan.shadowsAt >= 0 && moved) {
+    const ScopedStage timer(stages, "shadows");
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const std::vector<double> shadow = shadows(*w.tracer, lights[i], w.mask);
+      w.put(w.plan.shadowsAt + static_cast<int>(i), [&](std::size_t p) { return shadow[p]; });
+    }
+  }
+  if (w.plan.scatteredAt < 0) return w.rows;
+  const ScopedStage timer(stages, "scattering");
+  if (moved) w.scattering = scatteringData(*w.tracer, w.opticalRadius, w.plan.scattering->radius, lights, w.mask);
+  const ViewRays rays{view.orthographic, view.orthographic ? view.forward : view.eye};
+  const std::vector<double> light = ambientScattering(w.scattering, lights, *w.scattered, w.scene.points, rays, w.mask);
+  w.put(w.plan.scatteredAt, [&](std::size_t p) { return light[p]; });
+  return w.rows;
+}
+
+}  // namespace havs
