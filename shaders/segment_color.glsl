@@ -1,5 +1,5 @@
-// The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at the first opaque
-// surface.
+// The premultiplied colour of a segment: nothing where it is not visible; else the lookup's, cut at isosurfaces and at the
+// first opaque surface.
 #include "core/compositing.glsl"
 #include "lookup.glsl"  // the lookup of the plan: a file of lookup/, or of measure/
 #ifdef HAVS_LIT
@@ -30,6 +30,22 @@ Rgba lookUpInLight(Segment segment) {
 Rgba lookUpToOpaque(Segment segment) { return lookUpInLight(segment); }
 #endif
 
+Rgba lookUpVolume(Segment segment) {
+  Rgba color;
+  if (opaqueSurfaces) {
+    color = lookUpToOpaque(segment);
+  } else {
+    color = lookUpInLight(segment);
+  }
+  return color;
+}
+
+#ifdef HAVS_ISOSURFACES
+#include "isosurfaces.glsl"
+#else
+Rgba lookUpWithIsosurfaces(Segment segment) { return lookUpVolume(segment); }
+#endif
+
 Rgba segmentColor(Segment segment) {
   // Nothing to look up where nothing shows: a lookup with a loop is done with it at once.
   segment.length = select(segment.visible, segment.length, Real(0.0));
@@ -39,10 +55,10 @@ Rgba segmentColor(Segment segment) {
     segment.scalarBack = segment.scalarFront;
   }
   Rgba color;
-  if (opaqueSurfaces) {
-    color = lookUpToOpaque(segment);
+  if (isosurfaces) {
+    color = lookUpWithIsosurfaces(segment);
   } else {
-    color = lookUpInLight(segment);
+    color = lookUpVolume(segment);
   }
   Rgba nothing = Rgba(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
   return selectColor(segment.visible, color, nothing);

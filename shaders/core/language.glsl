@@ -55,6 +55,11 @@ const bool opaqueSurfaces = true;
 #else
 const bool opaqueSurfaces = false;
 #endif
+#ifdef HAVS_ISOSURFACES
+const bool isosurfaces = true;
+#else
+const bool isosurfaces = false;
+#endif
 #ifdef HAVS_LIT
 const bool lit = true;
 #else

@@ -34,6 +34,14 @@ Json stagesAsJson(const RenderReport& report) {
   return json;
 }
 
+/// As scene files have them, each with its colour.
+Json isosurfacesAsJson(const RenderReport& report) {
+  Json json = Json::array();
+  for (const ShownIsosurface& s : report.isosurfaces)
+    json.push_back({{"value", s.value}, {"color", s.color}, {"opacity", s.opacity}});
+  return json;
+}
+
 /// As scene files have it.
 void addClipping(const Scene& scene, Json& json) {
   json["clip_plane"] = json["clip_box"] = json["cut_box"] = Json::array();
@@ -67,6 +75,7 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
                                {"opacity", nameOf(report.meaning)},
                                {"unit_length", report.unitLength},
                                {"domain", report.domain}};
+  json["isosurfaces"] = isosurfacesAsJson(report);
   addClipping(scene, json);
   addLight(scene, json);
   json["camera"] = Json::parse(report.camera);
@@ -79,7 +88,7 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
   json["k"] = ordered && method.maximumK > 0 ? Json(report.k) : Json();
   json["k_auto"] = wantsKSearch(scene);
   json["sort"] = ordered && method.needsOrder ? Json(scene.sort) : Json();
-  json["lookup"] = ordered && !report.reference ? Json(report.lookup) : Json();
+  json["lookup"] = usesLookup(mode(scene.mode)) && !report.reference ? Json(report.lookup) : Json();
   json["table"] = report.tableSize > 0 ? Json(report.tableSize) : Json();
   json["table_format"] = scene.tableFormat;
   json["target_format"] = scene.targetFormat;
@@ -93,9 +102,9 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
 /// Without the method's, which the reference does not heed.
 Json settingsOfReference(const Json& all) {
   Json json;
-  for (const char* key :
-       {"transfer_function", "clip_plane", "clip_box", "cut_box", "threshold", "lighting", "lights", "shadows",
-        "occlusion", "scattering", "modulation", "camera", "size", "background", "mode", "threads", "repeat"})
+  for (const char* key : {"transfer_function", "isosurfaces", "clip_plane", "clip_box", "cut_box", "threshold",
+                          "lighting", "lights", "shadows", "occlusion", "scattering", "modulation", "camera", "size",
+                          "background", "mode", "threads", "repeat"})
     json[key] = all[key];
   return json;
 }
@@ -157,14 +166,22 @@ std::string describeTransfer(const RenderReport& report) {
          fmt::format(fmt::runtime(meaning), report.unitLength);
 }
 
+std::string describeIsosurfaces(const RenderReport& report) {
+  std::string text;
+  for (const ShownIsosurface& s : report.isosurfaces)
+    text += fmt::format("{}{:.6g}{}", text.empty() ? "" : ", ", s.value,
+                        s.opacity < 1 ? fmt::format(" (opacity {:.6g})", s.opacity) : "");
+  return text;
+}
+
 std::string describeMethod(const Scene& scene, const RenderReport& report) {
   const Mode& shown = mode(scene.mode);
   if (report.reference)
     return fmt::format("{}by the reference: every cell of every ray, exactly in double",
-                       shown.gathering == Gathering::composite ? "" : shown.name + " ");
+                       usesLookup(shown) ? "" : shown.name + " ");
   if (shown.gathering != Gathering::composite)
     return fmt::format("{}, in any order, on {} ({})", shown.name, scene.device, report.renderer);
-  const LookupResource* made = tableOf(lookup(report.lookup));
+  const LookupResource* made = usesLookup(shown) ? tableOf(lookup(report.lookup)) : nullptr;
   const std::string table = made ? fmt::format(" ({}^{}, {})", report.tableSize, made->axes, scene.tableFormat) : "";
   const VisibilityMethod& method = visibilityMethod(scene.visibility);
   const std::string k =
@@ -173,8 +190,9 @@ std::string describeMethod(const Scene& scene, const RenderReport& report) {
   const std::string sort = method.needsOrder ? fmt::format(", {} order", scene.sort) : "";
   const std::string kept =
       report.fragments > 0 ? fmt::format(", {} fragments in {} tiles", report.fragments, report.tiles) : "";
-  return fmt::format("{}{}{}{}, lookup {}{}{}, on {} ({})", scene.visibility, k, sort, kept, report.lookup, table,
-                     targets, scene.device, report.renderer);
+  const std::string found = usesLookup(shown) ? fmt::format(", lookup {}{}", report.lookup, table) : "";
+  return fmt::format("{}{}{}{}{}{}, on {} ({})", scene.visibility, k, sort, kept, found, targets, scene.device,
+                     report.renderer);
 }
 
 std::string describeOrder(const Scene& scene, const RenderReport& report) {
@@ -206,6 +224,7 @@ std::string reportAsText(const Scene& scene, const RenderReport& report,
   line("field", fmt::format("{} ({} data), {:.6g} to {:.6g}", report.field, report.centering, report.fieldRange[0],
                             report.fieldRange[1]));
   line("transfer", describeTransfer(report));
+  if (!report.isosurfaces.empty()) line("surfaces", describeIsosurfaces(report));
   line("method", describeMethod(scene, report));
   if (report.certificate) line("order", describeOrder(scene, report));
   line("time", describeTime(report.stages));

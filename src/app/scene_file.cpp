@@ -10,6 +10,7 @@
 #include <sstream>
 #include <variant>
 
+#include "app/isosurface_options.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "transfer/json_text.h"
@@ -163,6 +164,9 @@ const Form kSettings{
     {{"anyOf", {{{"const", "default"}}, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}}}}},
     settingsToText,
     settingsFromText};
+const Form kIsosurface{
+    "an object with a value, or a list of such, as {\"value\": 0.5, \"color\": \"red\", \"opacity\": 0.3}",
+    isosurfaceSchema(), isosurfaceToText, isosurfaceFromText};
 
 using Text = std::optional<std::string> SceneOptions::*;
 using Texts = std::vector<std::string> SceneOptions::*;
@@ -188,6 +192,7 @@ const std::vector<Key>& keys() {
       {"transfer_function", "--tf", &S::transferFunction, &kTransferFunction},
       {"unit_length", "--unit-length", &S::unitLength},
       {"domain", "--domain", &S::domain, &kRange},
+      {"isosurfaces", "--isosurface", &S::isosurfaces, &kIsosurface},
       {"mode", "--mode", &S::mode},
       {"clip_plane", "--clip-plane", &S::clipPlanes, &kSixNumbers},
       {"clip_box", "--clip-box", &S::clipBoxes, &kSixNumbers},
@@ -248,7 +253,7 @@ struct Reader {
   void operator()(Texts member) const {
     std::vector<std::string> texts;
     const bool several = value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& one) {
-                           return one.is_array() || one.is_string();
+                           return one.is_structured() || one.is_string();
                          });
     for (const Json& one : several ? value : Json::array({value}))
       texts.push_back(Reader{options, key, one, file}.text());

@@ -7,10 +7,12 @@
 #include <charconv>
 
 #include "app/clip_options.h"
+#include "app/isosurface_options.h"
 #include "app/light_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "image/color_names.h"
 #include "render/devices.h"
 #include "render/lookups.h"
 #include "render/modes.h"
@@ -63,7 +65,7 @@ void addPictureOptions(CLI::App& command, SceneOptions& options) {
       "AZIMUTH,ELEVATION[,ZOOM] in degrees, a JSON object, or a file with one");
   add(command, kGroup, "--projection", options.projection, "NAME", "perspective (default) or orthographic");
   add(command, kGroup, "--background", options.background, "COLOR",
-      "white (default), black, none, '#rrggbb' or r,g,b from 0 to 1");
+      "none, '#rrggbb', r,g,b from 0 to 1, or a name (default white): " + colorNames());
 }
 
 /// "3d 128, 2d 512"
@@ -211,6 +213,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addClipOptions(command, options);
   addLightOptions(command, options);
   addTransferOptions(command, options);
+  addIsosurfaceOptions(command, options);
   addPictureOptions(command, options);
   addMethodOptions(command, options);
 }
@@ -228,6 +231,7 @@ Scene makeScene(const SceneOptions& options) {
   if (options.mode) scene.mode = known("--mode", *options.mode, namesOf(modes()));
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
+  setIsosurfaces(scene, options);
   setClipping(scene, options);
   setLight(scene, options);
   setCamera(scene, options);

@@ -18,6 +18,7 @@ struct SceneOptions {
   std::optional<int> tableSize, threads, repeat;
   std::optional<std::string> threshold;
   std::vector<std::string> clipPlanes, clipBoxes, cutBoxes;
+  std::vector<std::string> isosurfaces;
   bool compositeLate = false;
   bool paper = false;
   std::optional<std::string> lighting, occlusion, scattering;

@@ -57,7 +57,7 @@ struct StoredImage {
 /// readImage, and what the file says of its content and precision. Throws Error{input}.
 StoredImage readStoredImage(const std::filesystem::path& file);
 
-/// "white", "black", "none", "#rrggbb" or "r,g,b" in 0 to 1. Throws Error{input}.
+/// "none", or a colour as parseColor (image/color_names.h) reads it. Throws Error{input}.
 std::optional<Color> parseBackground(const std::string& text);
 
 }  // namespace havs

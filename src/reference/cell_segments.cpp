@@ -69,14 +69,17 @@ struct SegmentCollector::Cell {
       limit[e] = edgeLimit(corner[kEdges[e][0]], corner[kEdges[e][1]], mesh.width, mesh.height);
   }
 
-  /// The products are of one sign, so that the means stay between the values at the corners.
+  /// The products are of one sign, so that the means lie between the values at the corners, up to rounding; the scalar
+  /// is kept there, so that a ray in a region of one value does not waver about an isosurface of that value.
   Hit meet(int face, const std::array<double, 6>& products) const {
     const auto& [corners, edges] = kFaces[face];
     const double wa = products[edges[0]], wb = -products[edges[1]], wc = products[edges[2]];
     const auto [i, j, k] = corners;
     const double scale = 1 / (wa + wb + wc);
     auto mean = [&](double a, double b, double c) { return (wa * a + wb * b + wc * c) * scale; };
-    Hit hit{mean(corner[i].depth, corner[j].depth, corner[k].depth), mean(scalar[i], scalar[j], scalar[k]), 1};
+    const auto [low, high] = std::minmax({scalar[i], scalar[j], scalar[k]});
+    Hit hit{mean(corner[i].depth, corner[j].depth, corner[k].depth),
+            std::clamp(mean(scalar[i], scalar[j], scalar[k]), low, high), 1};
     if (crossesEyePlane) hit.w = mean(corner[i].w, corner[j].w, corner[k].w);
     return hit;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/crossings.h"
 #include "reference/ray_surface.h"
 #include "transfer/pieces.h"
 #include "transfer/preintegration.h"
@@ -84,11 +85,41 @@ void addSegment(Rgba& sum, const ExtinctionCurve& curve, double from, double to,
   });
 }
 
+/// A segment being gone through, from where it has come to.
+struct LitStretch {
+  double scalar, share;
+  Incident incident;
+};
+
+/// Under `sum`, the volume up to `end`, from where the stretch has come to; `length`: of the whole segment. Whether an
+/// opaque surface ends the ray.
+bool addVolume(Rgba& sum, const ExtinctionCurve& curve, const LitStretch& begin, const LitStretch& end, double length) {
+  const double part = (end.share - begin.share) * length;
+  const RaySurface surface = firstSurface(curve, begin.scalar, end.scalar);
+  if (surface.share > 1) {
+    addSegment(sum, curve, begin.scalar, end.scalar, part, begin.incident, end.incident);
+    return false;
+  }
+  const Incident met = between({{}, begin.incident}, {{}, end.incident}, surface.share).incident;
+  addSegment(sum, curve, begin.scalar, surface.scalar, surface.share * part, begin.incident, met);
+  const Rgba color = colorOfSurface(curve, surface.scalar);
+  sum = A::compositeUnder(sum, {color.r * met.light, color.g * met.light, color.b * met.light, color.a});
+  return true;
+}
+
+/// The same with an isosurface.
+bool addSurface(Rgba& sum, const ShownIsosurface& surface, double light) {
+  const auto& [r, g, b] = surface.color;
+  const double a = surface.opacity;
+  sum = A::compositeUnder(sum, {a * light * r, a * light * g, a * light * b, a});
+  return a >= 1;
+}
+
 }  // namespace
 
 LitRays::LitRays(const PreparedScene& prepared, const LightPlan& plan, const std::vector<float>& rows,
-                 std::vector<ViewLight> lights, const View& view)
-    : prepared_(prepared), plan_(plan), rows_(rows), lights_(std::move(lights)), view_(view) {}
+                 std::vector<ViewLight> lights, const View& view, bool volume)
+    : prepared_(prepared), plan_(plan), rows_(rows), lights_(std::move(lights)), view_(view), volume_(volume) {}
 
 Incident LitRays::incidentAt(const Vec3& place, Index cell, const Vec3& toEye) const {
   const Tetrahedron& corners = prepared_.mesh.tetrahedra[cell];
@@ -141,21 +172,20 @@ RayColor LitRays::color(int x, int y, std::span<const CellSegment> segments) con
   const Vec3 base = start - view_.depth(view_.center) * along;  // at depth 0
   const Vec3 toEye = -along / scale;
   Rgba sum(0, 0, 0, 0);
+  Crossings crossings(prepared_.isosurfaces);
   for (const CellSegment& s : segments) {
     const Incident front = incidentAt(base + s.entry / scale * along, s.cell, toEye);
     const Incident back = incidentAt(base + s.exit / scale * along, s.cell, toEye);
     const double length = s.exit - s.entry;
-    const RaySurface surface = firstSurface(prepared_.curve, s.scalarEntry, s.scalarExit);
-    if (surface.share > 1) {
-      addSegment(sum, prepared_.curve, s.scalarEntry, s.scalarExit, length, front, back);
-      continue;
-    }
-    const Incident met = between({{}, front}, {{}, back}, surface.share).incident;
-    addSegment(sum, prepared_.curve, s.scalarEntry, surface.scalar, surface.share * length, front, met);
-    Rgba color = colorOfSurface(prepared_.curve, surface.scalar);
-    color = {color.r * met.light, color.g * met.light, color.b * met.light, color.a};
-    sum = A::compositeUnder(sum, color);
-    break;
+    LitStretch begin{s.scalarEntry, 0, front};
+    bool ended = false;
+    crossings.visit(s, [&](const ShownIsosurface& surface, double share) {
+      const LitStretch met{surface.scalar, share, between({{}, front}, {{}, back}, share).incident};
+      ended = ended || (volume_ && addVolume(sum, prepared_.curve, begin, met, length)) ||
+              addSurface(sum, surface, met.incident.light);
+      begin = met;
+    });
+    if (ended || (volume_ && addVolume(sum, prepared_.curve, begin, {s.scalarExit, 1, back}, length))) break;
   }
   return {sum.r, sum.g, sum.b, sum.a};
 }

@@ -14,11 +14,12 @@ namespace havs {
 /// Rays of one view of a lit scene. Light is found where a ray enters and leaves a cell, from the numbers of the cell's
 /// points (LightData), and goes linearly between; so does what the modulation leaves of the extinction. The integral of
 /// colour times light times extinction, attenuated, is by Gauss-Legendre quadrature, to the digits of double.
+/// Isosurfaces have the light where they are met.
 class LitRays {
  public:
-  /// All must outlive it. `rows`: LightData::rowsFor.
+  /// All must outlive it. `rows`: LightData::rowsFor. `volume`: whether it shows, or isosurfaces alone.
   LitRays(const PreparedScene& prepared, const LightPlan& plan, const std::vector<float>& rows,
-          std::vector<ViewLight> lights, const View& view);
+          std::vector<ViewLight> lights, const View& view, bool volume = true);
 
   /// Of the pixel (x, y), whose segments these are, in order; ends at the first opaque surface.
   RayColor color(int x, int y, std::span<const CellSegment> segments) const;
@@ -37,6 +38,7 @@ class LitRays {
   const std::vector<float>& rows_;
   std::vector<ViewLight> lights_;
   const View& view_;
+  bool volume_;
 };
 
 }  // namespace havs

@@ -1,5 +1,6 @@
 #include "reference/ray_color.h"
 
+#include "reference/crossings.h"
 #include "reference/ray_surface.h"
 #include "transfer/pieces.h"
 #include "transfer/preintegration.h"
@@ -14,19 +15,53 @@ Rgba integrate(const ExtinctionCurve& curve, double from, double to, double leng
   return {c.color[0], c.color[1], c.color[2], c.alpha};
 }
 
+/// Puts the volume of a stretch under `sum`; true where an opaque surface ends the ray.
+bool addVolume(const ExtinctionCurve& curve, double from, double to, double length, Rgba& sum) {
+  const RaySurface surface = firstSurface(curve, from, to);
+  if (surface.share > 1) {
+    sum = A::compositeUnder(sum, integrate(curve, from, to, length));
+    return false;
+  }
+  sum = A::compositeUnder(sum, integrate(curve, from, surface.scalar, surface.share * length));
+  sum = A::compositeUnder(sum, colorOfSurface(curve, surface.scalar));
+  return true;
+}
+
+/// The same with an isosurface.
+bool addSurface(const ShownIsosurface& surface, Rgba& sum) {
+  const auto& [r, g, b] = surface.color;
+  const double a = surface.opacity;
+  sum = A::compositeUnder(sum, {a * r, a * g, a * b, a});
+  return a >= 1;
+}
+
 }  // namespace
 
-RayColor rayColor(const ExtinctionCurve& curve, std::span<const CellSegment> segments) {
+RayColor rayColor(const RayScene& scene, std::span<const CellSegment> segments) {
   Rgba sum(0, 0, 0, 0);
+  Crossings crossings(scene.isosurfaces);
   for (const CellSegment& s : segments) {
     const double length = s.exit - s.entry;
-    const RaySurface surface = firstSurface(curve, s.scalarEntry, s.scalarExit);
-    if (surface.share <= 1) {
-      sum = A::compositeUnder(sum, integrate(curve, s.scalarEntry, surface.scalar, surface.share * length));
-      sum = A::compositeUnder(sum, colorOfSurface(curve, surface.scalar));
-      break;
-    }
-    sum = A::compositeUnder(sum, integrate(curve, s.scalarEntry, s.scalarExit, length));
+    double from = s.scalarEntry, begin = 0;
+    bool ended = false;
+    crossings.visit(s, [&](const ShownIsosurface& surface, double share) {
+      ended = ended || addVolume(scene.curve, from, surface.scalar, (share - begin) * length, sum) ||
+              addSurface(surface, sum);
+      from = surface.scalar;
+      begin = share;
+    });
+    if (ended || addVolume(scene.curve, from, s.scalarExit, (1 - begin) * length, sum)) break;
+  }
+  return {sum.r, sum.g, sum.b, sum.a};
+}
+
+RayColor rayIsosurfaces(const RayScene& scene, std::span<const CellSegment> segments) {
+  Rgba sum(0, 0, 0, 0);
+  Crossings crossings(scene.isosurfaces);
+  bool ended = false;
+  for (const CellSegment& s : segments) {
+    crossings.visit(s, [&](const ShownIsosurface& surface, double) { ended = ended || addSurface(surface, sum); });
+    if (ended) break;
   }
   return {sum.r, sum.g, sum.b, sum.a};
 }

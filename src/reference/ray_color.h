@@ -3,6 +3,7 @@
 #include <span>
 
 #include "reference/cell_segments.h"
+#include "scene/isosurface.h"
 #include "transfer/extinction_curve.h"
 
 namespace havs {
@@ -10,8 +11,21 @@ namespace havs {
 /// What a ray gathers: premultiplied colour and opacity.
 using RayColor = std::array<double, 4>;
 
-/// The segments' exact integrals (integrateSegment) composited front to back, up to the first opaque surface, whose
-/// colour ends the ray with opacity 1. `segments` in the order of the ray.
-RayColor rayColor(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+/// What a ray runs through, beside the cells.
+struct RayScene {
+  const ExtinctionCurve& curve;
+  std::span<const ShownIsosurface> isosurfaces = {};  ///< ascending by scalar
+};
+
+/// From the segments of a ray, in its order, to its premultiplied colour and opacity.
+using RayFunction = RayColor (*)(const RayScene& scene, std::span<const CellSegment> segments);
+
+/// The segments' exact integrals (integrateSegment) and the isosurfaces that they cross, composited front to back, up
+/// to the first opaque surface: with it the ray ends with opacity 1. Where a segment comes to an opaque scalar and to
+/// an isosurface of the same value, the isosurface is behind.
+RayColor rayColor(const RayScene& scene, std::span<const CellSegment> segments);
+
+/// The isosurfaces alone.
+RayColor rayIsosurfaces(const RayScene& scene, std::span<const CellSegment> segments);
 
 }  // namespace havs

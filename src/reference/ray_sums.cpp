@@ -40,18 +40,19 @@ RayColor opaqueColor(const ExtinctionCurve& curve, double scalar) {
   return {k.color[0], k.color[1], k.color[2], 1};
 }
 
-RayColor rayAbsorption(const ExtinctionCurve& curve, std::span<const CellSegment> segments) {
+RayColor rayAbsorption(const RayScene& scene, std::span<const CellSegment> segments) {
   double depth = 0;
   for (const CellSegment& s : segments) {
-    if (firstOpaque(curve, s.scalarEntry, s.scalarExit) <= 1) return {0, 0, 0, 1};
-    visitSegment(curve, s, [&](const Rgba& front, const Rgba& back, double length) {
+    if (firstOpaque(scene.curve, s.scalarEntry, s.scalarExit) <= 1) return {0, 0, 0, 1};
+    visitSegment(scene.curve, s, [&](const Rgba& front, const Rgba& back, double length) {
       depth += 0.5 * (front.a + back.a) * length;
     });
   }
   return {0, 0, 0, -std::expm1(-depth)};
 }
 
-RayColor rayEmission(const ExtinctionCurve& curve, std::span<const CellSegment> segments) {
+RayColor rayEmission(const RayScene& scene, std::span<const CellSegment> segments) {
+  const ExtinctionCurve& curve = scene.curve;
   const ExtinctionCurve seen = curve.opaque.empty() ? ExtinctionCurve{} : withoutOpaque(curve);
   RayColor sum{0, 0, 0, 0};
   for (const CellSegment& s : segments)
@@ -65,21 +66,21 @@ RayColor rayEmission(const ExtinctionCurve& curve, std::span<const CellSegment> 
   return sum;
 }
 
-RayColor rayMaximum(const ExtinctionCurve& curve, std::span<const CellSegment> segments) {
-  return extreme(curve, segments, [](double a, double b) { return std::max(a, b); });
+RayColor rayMaximum(const RayScene& scene, std::span<const CellSegment> segments) {
+  return extreme(scene.curve, segments, [](double a, double b) { return std::max(a, b); });
 }
 
-RayColor rayMinimum(const ExtinctionCurve& curve, std::span<const CellSegment> segments) {
-  return extreme(curve, segments, [](double a, double b) { return std::min(a, b); });
+RayColor rayMinimum(const RayScene& scene, std::span<const CellSegment> segments) {
+  return extreme(scene.curve, segments, [](double a, double b) { return std::min(a, b); });
 }
 
-RayColor rayAverage(const ExtinctionCurve& curve, std::span<const CellSegment> segments) {
+RayColor rayAverage(const RayScene& scene, std::span<const CellSegment> segments) {
   double sum = 0, length = 0;
   for (const CellSegment& s : segments) {
     sum += 0.5 * (s.scalarEntry + s.scalarExit) * (s.exit - s.entry);
     length += s.exit - s.entry;
   }
-  return length > 0 ? opaqueColor(curve, sum / length) : RayColor{0, 0, 0, 0};
+  return length > 0 ? opaqueColor(scene.curve, sum / length) : RayColor{0, 0, 0, 0};
 }
 
 }  // namespace havs

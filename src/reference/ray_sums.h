@@ -8,19 +8,16 @@
 
 namespace havs {
 
-/// From the segments of a ray, in its order, to its premultiplied colour and opacity.
-using RayFunction = RayColor (*)(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
-
 /// Black of opacity 1 - exp(-integral of kappa); 1 behind an opaque surface.
-RayColor rayAbsorption(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+RayColor rayAbsorption(const RayScene& scene, std::span<const CellSegment> segments);
 /// The integral of colour times kappa, at most 1, of opacity 0. Opaque surfaces do not shine: kappa is bridged over
 /// them (withoutOpaque).
-RayColor rayEmission(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+RayColor rayEmission(const RayScene& scene, std::span<const CellSegment> segments);
 /// The colour of the greatest, of the least and of the mean scalar, of opacity 1; transparent for a ray that meets
 /// nothing.
-RayColor rayMaximum(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
-RayColor rayMinimum(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
-RayColor rayAverage(const ExtinctionCurve& curve, std::span<const CellSegment> segments);
+RayColor rayMaximum(const RayScene& scene, std::span<const CellSegment> segments);
+RayColor rayMinimum(const RayScene& scene, std::span<const CellSegment> segments);
+RayColor rayAverage(const RayScene& scene, std::span<const CellSegment> segments);
 
 /// The curve's colour at a scalar of [0, 1], opaque.
 RayColor opaqueColor(const ExtinctionCurve& curve, double scalar);

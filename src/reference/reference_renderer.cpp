@@ -31,7 +31,7 @@ class ReferenceRenderer final : public Renderer {
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     const ScopedStage timer(stages, "draw");
     return drawRays(prepared_, view, progress, [&](int, int, std::span<const CellSegment> segments) {
-      return function_(prepared_.curve, segments);
+      return function_({prepared_.curve, prepared_.isosurfaces}, segments);
     });
   }
 
@@ -42,11 +42,12 @@ class ReferenceRenderer final : public Renderer {
 
 class LitReferenceRenderer final : public Renderer {
  public:
-  LitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light) : prepared_(prepared), plan_(light) {}
+  LitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light, bool volume)
+      : prepared_(prepared), plan_(light), volume_(volume) {}
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     if (!light_) light_.emplace(prepared_, plan_, stages);
-    const LitRays rays(prepared_, plan_, light_->rowsFor(view, stages), light_->lightsFor(view), view);
+    const LitRays rays(prepared_, plan_, light_->rowsFor(view, stages), light_->lightsFor(view), view, volume_);
     const ScopedStage timer(stages, "draw");
     return drawRays(prepared_, view, progress,
                     [&](int x, int y, std::span<const CellSegment> segments) { return rays.color(x, y, segments); });
@@ -55,13 +56,14 @@ class LitReferenceRenderer final : public Renderer {
  private:
   const PreparedScene& prepared_;
   LightPlan plan_;
+  bool volume_;
   std::optional<LightData> light_;
 };
 
 }  // namespace
 
-std::unique_ptr<Renderer> makeLitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light) {
-  return std::make_unique<LitReferenceRenderer>(prepared, light);
+std::unique_ptr<Renderer> makeLitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light, bool volume) {
+  return std::make_unique<LitReferenceRenderer>(prepared, light, volume);
 }
 
 std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared, RayFunction function) {
@@ -72,7 +74,7 @@ std::vector<RayColor> referencePixels(const PreparedScene& prepared, const View&
   std::vector<RayColor> pixels(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   const RayVisitor visit = [&](int x, int y, std::span<const CellSegment> segments) {
     pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x)] =
-        rayColor(prepared.curve, segments);
+        rayColor({prepared.curve, prepared.isosurfaces}, segments);
   };
   visitRays(prepared, view, visit, tiles);
   return pixels;

@@ -17,8 +17,10 @@ namespace havs {
 /// a vertex. `function`: what a ray gathers. `prepared` must outlive it. Stages timed: draw.
 std::unique_ptr<Renderer> makeReferenceRenderer(const PreparedScene& prepared, RayFunction function = rayColor);
 
-/// The same of a lit scene (LitRays in reference/lit_ray.h). Stages timed besides: those of LightData.
-std::unique_ptr<Renderer> makeLitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light);
+/// The same of a lit scene (LitRays in reference/lit_ray.h); without `volume` its isosurfaces alone. Stages timed
+/// besides: those of LightData.
+std::unique_ptr<Renderer> makeLitReferenceRenderer(const PreparedScene& prepared, const LightPlan& light,
+                                                   bool volume = true);
 
 /// How the work is cut up; the picture does not depend on it.
 struct ReferenceTiles {

@@ -1,5 +1,7 @@
 #include "render/lookup_resources.h"
 
+#include <algorithm>
+
 #include "core/parallel.h"
 #include "transfer/mean_tables.h"
 #include "transfer/packed_curve.h"
@@ -7,6 +9,13 @@
 
 namespace havs {
 namespace {
+
+/// The greatest scalar that a fragment carries at the mesh's boundary (kBelowOne of shaders/payload.glsl): a surface
+/// above it would be met by every ray that leaves there.
+constexpr float kBelowOne = 0x1.fffffep-1f;
+/// What OpenGL's interpolation may be off by where the three corners of a face have one scalar. Surfaces lie so much
+/// lower there: else a ray in a region of one value would waver about a surface of that value.
+constexpr float kGlRounding = 0x1p-22f;
 
 /// Texels of four numbers, read by their number.
 ResourceTable texels(const std::vector<std::array<float, 4>>& list) {
@@ -82,6 +91,22 @@ ResourceData makeOpaqueIntervals(const ResourceInput& input) {
   ResourceData made;
   made.tables["opaqueIntervals"] = numbers(std::move(ends));
   made.numbers["opaqueCount"] = static_cast<float>(opaque.size());
+  return made;
+}
+
+ResourceData makeIsosurfaces(const ResourceInput& input) {
+  std::vector<float> values;
+  std::vector<std::array<float, 4>> colors;
+  for (const auto& [value, scalar, color, opacity] : input.prepared.isosurfaces) {
+    const float lowered = input.plan.native ? 0 : kGlRounding;
+    values.push_back(std::min(static_cast<float>(scalar), kBelowOne) - lowered);
+    colors.push_back({static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2]),
+                      static_cast<float>(opacity)});
+  }
+  ResourceData made;
+  made.numbers["isosurfaceCount"] = static_cast<float>(values.size());
+  made.tables["isosurfaceValues"] = numbers(std::move(values));
+  made.tables["isosurfaceColors"] = texels(colors);
   return made;
 }
 

@@ -48,6 +48,7 @@ double meanSegmentLength(const PreparedScene& prepared);
 ResourceData makeCurve(const ResourceInput& input);
 ResourceData makeIntegrals(const ResourceInput& input);
 ResourceData makeOpaqueIntervals(const ResourceInput& input);
+ResourceData makeIsosurfaces(const ResourceInput& input);
 ResourceData makeTable2d(const ResourceInput& input);
 ResourceData makeTable3d(const ResourceInput& input);
 ResourceData makeMeanColorTable(const ResourceInput& input);

@@ -15,7 +15,8 @@ std::unique_ptr<Renderer> makePartRenderer(const PreparedScene& prepared, const 
                                            const Progress& progress) {
   const auto make = [&](const PreparedScene& drawn) { return plan.way.make(drawn, plan, stages, progress); };
   if (prepared.mesh.tetrahedra.empty()) return rendererOfNothing(plan.certificate);
-  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.certificate, stages, make) : make(prepared);
+  return plan.leavesOutCells ? rendererOfVisiblePart(prepared, plan.shows, plan.certificate, stages, make)
+                             : make(prepared);
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const Rend
 }
 
 std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
-  if (isLit(scene)) return makeLitReferenceRenderer(prepared, lightPlanOf(scene));
+  if (isLit(scene)) return makeLitReferenceRenderer(prepared, lightPlanOf(scene), mode(scene.mode).seesVolume);
   return makeReferenceRenderer(prepared, mode(scene.mode).reference);
 }
 

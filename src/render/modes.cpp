@@ -50,6 +50,12 @@ const DrawingWay kNative{planNativeGathering, makeNativeRenderer};
 std::span<const Mode> modes() {
   static const std::vector<Mode> rows{
       {.name = "volume", .description = "emission and absorption, front to back", .reference = rayColor},
+      {.name = "isosurfaces",
+       .description = "the isosurfaces alone (--isosurface)",
+       .measure = {.name = "nothing", .description = "between isosurfaces", .shader = "measure/nothing.glsl"},
+       .reference = rayIsosurfaces,
+       .seesOpaqueSurfaces = false,
+       .seesVolume = false},
       {.name = "xray",
        .description = "absorption only: the background seen through the mesh",
        .gathering = Gathering::sum,

@@ -25,7 +25,8 @@ struct Mode {
   std::string name;
   std::string description;
   Gathering gathering = Gathering::composite;
-  /// What a segment adds (Gathering::sum): four numbers that its shader names.
+  /// What a segment adds (Gathering::sum): four numbers that its shader names. Gathering::composite: what stands for
+  /// the scene's lookup, where it has a shader.
   Lookup measure;
   std::string measureOfFewKnots;  ///< another shader for it, where cells hold few knots (fewKnots in render/plan.h)
   /// What a pixel holds before anything has been gathered.
@@ -37,9 +38,14 @@ struct Mode {
   /// Cells over whose scalars the transfer function is clear matter, too.
   bool seesClearCells = false;
   bool seesOpaqueSurfaces = true;
-  DrawingWay gl, native;  ///< of all but `composite`, which a visibility method draws
+  bool seesVolume = true;  ///< else isosurfaces only
+  DrawingWay gl, native;   ///< of all but `composite`, which a visibility method draws
 };
 std::span<const Mode> modes();
+/// Whether a mode composites by the scene's lookup.
+inline bool usesLookup(const Mode& mode) {
+  return mode.gathering == Gathering::composite && mode.measure.shader.empty();
+}
 /// Throws Error{input}, naming the nearest.
 const Mode& mode(const std::string& name);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "render/effects.h"
 #include "render/native/instruction_sets.h"
 #include "sort/face_order.h"
 
@@ -17,26 +18,6 @@ constexpr int kSmallestTable = 2;
 /// Most knots in a cell, on the mean, that `exact` is chosen for: measured (docs/07-performance.md, The lookup by
 /// default).
 constexpr double kFewKnots = 2;
-
-/// Adds a resource, and its table's size and format where it has one.
-void addResource(RenderPlan& result, const std::string& name, const std::string& reason, const Scene& scene,
-                 const Capabilities& capabilities) {
-  const LookupResource& resource = lookupResource(name);
-  for (const LookupResource& other : result.resources)
-    if (other.name == name) return;
-  result.resources.push_back(resource);
-  if (resource.axes == 0) return addItem(result, PlanKind::table, resource.description, "table", reason);
-  result.tableFormat = tableFormat(scene.tableFormat);
-  result.tableSize = tableSizeOf(scene);
-  if (result.tableFormat.filteredInShader) result.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
-  addItem(result, PlanKind::table, resource.description, "table", reason, result.tableFormat.bytesPerEntry, "entry",
-          resource.entries(static_cast<std::size_t>(result.tableSize)));
-  const int most = resource.axes == 3 ? capabilities.maximum3dTextureSize : capabilities.maximumTextureSize;
-  if (result.tableSize > most)
-    failRunning("a table of " + std::to_string(result.tableSize) + "^" + std::to_string(resource.axes) +
-                    " is larger than this OpenGL's textures (" + std::to_string(most) + ")",
-                "", "choose a smaller one");
-}
 
 /// What segments are looked up in, or measured with.
 void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
@@ -89,6 +70,8 @@ const DrawingWay& wayOf(const Mode& mode, const VisibilityMethod& method, const 
 }
 
 void refuseWhatTheModeLacks(const Scene& scene, const Mode& mode) {
+  if (!mode.seesVolume && scene.isosurfaces.empty())
+    failInput("the mode " + mode.name + " has nothing to show", "--mode", "add --isosurface VALUE");
   if (mode.gathering == Gathering::composite) return;
   if (isLit(scene))
     failInput("the mode " + mode.name + " knows no light", "--mode", "leave lighting out, or draw with --mode volume");
@@ -117,11 +100,14 @@ void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method
 }
 
 /// Cells that show nothing are left out, where the mode does not look at them.
-void planPart(RenderPlan& result, const Mode& shown, const SceneFacts& facts) {
-  result.leavesOutCells = facts.clearCells && !shown.seesClearCells;
-  if (result.leavesOutCells)
-    addItem(result, PlanKind::precomputation, "the cells that show anything", "visible",
-            "the transfer function is clear at every scalar of the others");
+void planPart(RenderPlan& result, const Scene& scene, const Mode& shown, const SceneFacts& facts) {
+  result.shows.volume = shown.seesVolume;
+  result.leavesOutCells = shown.seesVolume ? facts.clearCells && !shown.seesClearCells : facts.cellsWithoutSurface;
+  if (!result.leavesOutCells) return;
+  std::string reason = shown.seesVolume ? "the transfer function is clear at every scalar of the others" : "";
+  if (!scene.isosurfaces.empty())
+    reason += (reason.empty() ? "" : ", and ") + std::string("no isosurface crosses them");
+  addItem(result, PlanKind::precomputation, "the cells that show anything", "visible", reason);
 }
 
 /// What brings a pixel's fragments into order.
@@ -151,7 +137,11 @@ bool fewKnots(double knotsInCells) { return knotsInCells <= kFewKnots; }
 
 std::string lookupFor(double knotsInCells) { return fewKnots(knotsInCells) ? "exact" : "3d-normalised"; }
 
-Lookup lookupOf(const Scene& scene) { return lookup(scene.lookup == kAutoLookup ? lookupFor(0) : scene.lookup); }
+Lookup lookupOf(const Scene& scene) {
+  const Lookup named = lookup(scene.lookup == kAutoLookup ? lookupFor(0) : scene.lookup);
+  const Mode& shown = mode(scene.mode);
+  return shown.gathering == Gathering::composite && !usesLookup(shown) ? shown.measure : named;
+}
 
 int tableSizeOf(const Scene& scene) {
   const LookupResource* table = tableOf(lookupOf(scene));
@@ -181,6 +171,8 @@ void checkScene(const Scene& scene) {
   const Lookup row = lookupOf(scene);
   refuseWhatTheModeLacks(scene, mode(scene.mode));
   refuseWhatTheMethodLacks(scene, method, row);
+  for (const Effect& effect : effects())
+    if (effect.wanted(scene)) effect.check(scene);
   if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
   checkLight(scene);
   sortMethod(scene.sort);
@@ -206,6 +198,25 @@ void checkScene(const Scene& scene) {
 void addItem(RenderPlan& plan, PlanKind kind, const std::string& name, const std::string& stage,
              const std::string& reason, std::size_t bytesEach, const std::string& of, std::size_t count) {
   plan.items.push_back({kind, name, reason, stage, count * bytesEach, bytesEach, of});
+}
+
+void addResource(RenderPlan& plan, const std::string& name, const std::string& reason, const Scene& scene,
+                 const Capabilities& capabilities) {
+  const LookupResource& resource = lookupResource(name);
+  for (const LookupResource& other : plan.resources)
+    if (other.name == name) return;
+  plan.resources.push_back(resource);
+  if (resource.axes == 0) return addItem(plan, PlanKind::table, resource.description, "table", reason);
+  plan.tableFormat = tableFormat(scene.tableFormat);
+  plan.tableSize = tableSizeOf(scene);
+  if (plan.tableFormat.filteredInShader) plan.defines.push_back({"HAVS_FILTER_IN_SHADER", "1"});
+  addItem(plan, PlanKind::table, resource.description, "table", reason, plan.tableFormat.bytesPerEntry, "entry",
+          resource.entries(static_cast<std::size_t>(plan.tableSize)));
+  const int most = resource.axes == 3 ? capabilities.maximum3dTextureSize : capabilities.maximumTextureSize;
+  if (plan.tableSize > most)
+    failRunning("a table of " + std::to_string(plan.tableSize) + "^" + std::to_string(resource.axes) +
+                    " is larger than this OpenGL's textures (" + std::to_string(most) + ")",
+                "", "choose a smaller one");
 }
 
 void addProgram(RenderPlan& plan, const std::string& role, const std::string& vertex, const std::string& fragment,
@@ -237,7 +248,7 @@ RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities&
   result.cellData = facts.cellData;
   result.opaqueSurfaces = facts.opaqueSurfaces && shown.seesOpaqueSurfaces;
   result.certificate = scene.certificate;
-  planPart(result, shown, facts);
+  planPart(result, scene, shown, facts);
   if (shown.gathering == Gathering::composite) {
     planOrder(result, scene, capabilities);
     result.lookup = lookupOf(scene);
@@ -249,6 +260,8 @@ RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities&
   }
   result.way = wayOf(shown, result.visibility, capabilities);
   planLookup(result, scene, facts, capabilities);
+  for (const Effect& effect : effects())
+    if (effect.wanted(scene)) effect.plan(result, scene, facts, capabilities);
   result.way.plan(result, scene, facts, capabilities);
   return result;
 }

@@ -10,6 +10,7 @@
 #include "render/target_formats.h"
 #include "render/visibility.h"
 #include "scene/scene.h"
+#include "scene/shown_scalars.h"
 
 namespace havs {
 
@@ -44,7 +45,8 @@ struct RenderPlan {
   std::array<float, 4> start{0, 0, 0, 0};                                ///< Mode::start
   void (*finish)(const ExtinctionCurve& curve, float* pixel) = nullptr;  ///< Mode::finish
   DrawingWay way;                                                        ///< what draws
-  bool leavesOutCells = false;                                           ///< those that show nothing
+  WhatShows shows;                                                       ///< of the scene
+  bool leavesOutCells = false;                                           ///< those that show nothing of that
   VisibilityMethod visibility;                                           ///< of Gathering::composite
   std::string ordering;  ///< the extension that keeps a pixel's reads and writes in order; empty: none is needed
   std::string sort;      ///< row of sortMethods(); empty: faces need no order
@@ -64,6 +66,8 @@ struct RenderPlan {
   LightPlan light;
   bool cellData = false;
   bool opaqueSurfaces = false;
+  bool isosurfaces = false;
+  bool opaqueIsosurfaces = false;  ///< some of them: nothing is seen behind
   bool certificate = false;
   bool marksDonePixels = false;  ///< k-buffer: a stencil spares pixels that take no more fragments
   bool flagsLate = false;  ///< k-buffer: whether any fragment is late is looked at, as a better order might be had
@@ -74,6 +78,10 @@ struct RenderPlan {
 /// Adds an item to a plan; for the parts of plans. `of` and `count`: see PlanItem; bytes = count * bytesEach.
 void addItem(RenderPlan& plan, PlanKind kind, const std::string& name, const std::string& stage,
              const std::string& reason, std::size_t bytesEach = 0, const std::string& of = "", std::size_t count = 1);
+/// Adds a row of lookupResources() that the plan has not got yet, and its item; where it has a table, the table's size
+/// and format. Throws Error{running} for a table larger than the machine's textures.
+void addResource(RenderPlan& plan, const std::string& name, const std::string& reason, const Scene& scene,
+                 const Capabilities& capabilities);
 /// Adds a program, and its item. `options`: what it is compiled with besides the plan's defines.
 void addProgram(RenderPlan& plan, const std::string& role, const std::string& vertex, const std::string& fragment,
                 const std::string& reason, const ShaderOptions& options);
@@ -98,7 +106,7 @@ LightPlan lightPlanOf(const Scene& scene);
 void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts);
 void checkLight(const Scene& scene);
 
-/// The row of the scene's lookup; of `auto` one that carries the same.
+/// The row of the scene's lookup; of `auto` one that carries the same. Of a mode that has a lookup of its own, that.
 Lookup lookupOf(const Scene& scene);
 
 /// Entries along each axis of the table of the scene's lookup: those asked for, else the lookup's own

@@ -34,6 +34,7 @@ void describePrepared(const PreparedScene& prepared, RenderReport& report) {
   report.meaning = prepared.meaning;
   report.unitLength = prepared.curve.unitLength;
   report.domain = prepared.curve.domain;
+  report.isosurfaces = prepared.isosurfaces;
 }
 
 void describePlan(const RenderPlan& chosen, RenderReport& report) {

@@ -28,13 +28,14 @@ struct RenderReport {
   OpacityMeaning meaning = OpacityMeaning::perUnit;
   double unitLength = 0;
   std::array<double, 2> domain{0, 1};
-  std::string camera;  ///< JSON object, all parts set
+  std::vector<ShownIsosurface> isosurfaces;  ///< ascending
+  std::string camera;                        ///< JSON object, all parts set
   std::string renderer, glVersion;
   std::string ordering;           ///< how pixels are kept in order ("GL_EXT_shader_framebuffer_fetch")
   std::size_t bytesPerPixel = 0;  ///< of the render targets
   std::size_t targetBytes = 0;    ///< all targets together
   std::size_t tiles = 1;
-  std::string lookup;             ///< used: the scene's, or what `auto` stood for
+  std::string lookup;             ///< used: the scene's, what `auto` stood for, or the mode's own
   int tableSize = 0;              ///< of its table; 0: it has none
   int k = 0;                      ///< used: the scene's, or the one that the search chose
   std::size_t fragments = 0;      ///< of the picture, where the method keeps them all (a-buffer)

@@ -98,10 +98,12 @@ PreparedScene cutScene(const PreparedScene& whole, const MeshCut& cut) {
   part.frame = whole.frame;
   part.longestEdge = whole.longestEdge;
   part.curve = whole.curve;
+  part.isosurfaces = whole.isosurfaces;
   part.transferFunction = whole.transferFunction;
   part.meaning = whole.meaning;
   part.knotsInCells = whole.knotsInCells;
   part.clearCells = whole.clearCells;
+  part.cellsWithoutSurface = whole.cellsWithoutSurface;
   part.mesh.points = cut.pointValues(whole.mesh.points);
   part.mesh.tetrahedra = cut.tetrahedra;
   part.points = cut.pointValues(whole.points);

@@ -141,9 +141,11 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
     prepared.points = localPoints(prepared.mesh, prepared.frame);
     prepared.longestEdge = longestEdge(prepared.mesh, prepared.points);
     prepareCurve(prepared, scene);
+    prepared.isosurfaces = prepareIsosurfaces(scene, prepared);
     prepared.scalars = normalisedScalars(prepared.field, prepared.curve);
     prepared.knotsInCells = meanKnotsInCells(prepared);
     prepared.clearCells = hasClearCells(prepared);
+    prepared.cellsWithoutSurface = prepared.isosurfaces.empty() || hasClearCells(prepared, {.volume = false});
     // Last, so that all that was found out above is of the whole mesh.
     if (asksForPart(scene)) clip(prepared, scene, prepared.field.values);
     prepared.field.values = {};
@@ -171,6 +173,7 @@ SceneFacts PreparedScene::facts() const {
   facts.opaqueSurfaces = !curve.opaque.empty();
   facts.knotsInCells = knotsInCells;
   facts.clearCells = clearCells;
+  facts.cellsWithoutSurface = cellsWithoutSurface;
   facts.points = points.size();
   facts.cells = mesh.tetrahedra.size();
   facts.faces = faces.size();

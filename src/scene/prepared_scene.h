@@ -28,12 +28,14 @@ struct PreparedScene {
   ExtinctionCurve curve;
   std::string transferFunction;
   OpacityMeaning meaning = OpacityMeaning::perUnit;
-  double knotsInCells = 0;               ///< scene/knots_in_cells.h
-  bool clearCells = false;               ///< scene/visible_part.h
-  std::vector<double> scalars;           ///< normalised to the domain, [0, 1]; one a point or one a cell
-  const PreparedScene* whole = nullptr;  ///< of which this is the part that shows anything (scene/visible_part.h)
-  std::vector<Index> pointsInWhole;      ///< then, the number there of each point; ascending
-  std::vector<Index> facesInWhole;       ///< then, the number there of each of `faces`; ascending
+  std::vector<ShownIsosurface> isosurfaces;  ///< ascending
+  double knotsInCells = 0;                   ///< scene/knots_in_cells.h
+  bool clearCells = false;                   ///< SceneFacts::clearCells
+  bool cellsWithoutSurface = false;          ///< SceneFacts::cellsWithoutSurface
+  std::vector<double> scalars;               ///< normalised to the domain, [0, 1]; one a point or one a cell
+  const PreparedScene* whole = nullptr;      ///< of which this is the part that shows anything (scene/visible_part.h)
+  std::vector<Index> pointsInWhole;          ///< then, the number there of each point; ascending
+  std::vector<Index> facesInWhole;           ///< then, the number there of each of `faces`; ascending
 
   SceneFacts facts() const;
 };

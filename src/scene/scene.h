@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "scene/camera.h"
 #include "scene/clipping.h"
+#include "scene/isosurface.h"
 #include "scene/lighting.h"
 
 namespace havs {
@@ -26,6 +27,7 @@ struct Scene {
   std::string transferFunction = "viridis";     ///< preset or file
   std::optional<double> unitLength;             ///< mesh units; overrides the transfer function's
   std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
+  std::vector<Isosurface> isosurfaces;          ///< with the volume, or alone (mode `isosurfaces`)
   std::vector<ClipPlane> clipPlanes;            ///< what is in all of these and of the boxes is drawn
   std::vector<ClipBox> clipBoxes;
   std::optional<std::array<double, 2>> threshold;  ///< in the data's unit, both included: other cells are holes
@@ -59,10 +61,11 @@ struct Scene {
 
 /// What is known of the data when a plan is made.
 struct SceneFacts {
-  bool cellData = false;        ///< the scalar belongs to the cells
-  bool opaqueSurfaces = false;  ///< the transfer function reaches opacity 1 (per_unit)
-  double knotsInCells = 0;      ///< meanKnotsInCells (scene/knots_in_cells.h)
-  bool clearCells = false;      ///< some cells show nothing under the transfer function (scene/visible_part.h)
+  bool cellData = false;             ///< the scalar belongs to the cells
+  bool opaqueSurfaces = false;       ///< the transfer function reaches opacity 1 (per_unit)
+  double knotsInCells = 0;           ///< meanKnotsInCells (scene/knots_in_cells.h)
+  bool clearCells = false;           ///< some cells show nothing: volume nor isosurface (scene/visible_part.h)
+  bool cellsWithoutSurface = false;  ///< some cells show no isosurface
   std::size_t points = 0, cells = 0, faces = 0;  ///< of the mesh
 };
 

@@ -1,5 +1,6 @@
-// What shows nothing need not be drawn: cells over whose scalars the transfer function is clear everywhere. What is
-// left has more boundary; rays leave and enter it, which the inside-count of the k-buffer takes as it comes.
+// What shows nothing need not be drawn: cells over whose scalars the transfer function is clear everywhere, and that no
+// isosurface crosses. What is left has more boundary; rays leave and enter it, which the inside-count of the k-buffer
+// takes as it comes.
 #include "scene/visible_part.h"
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace havs {
 namespace {
 
 constexpr std::size_t kGrain = 16384;
+
+ShownScalars shownScalars(const PreparedScene& prepared, const WhatShows& shows) {
+  if (!shows.isosurfaces) return {prepared.curve, shows.volume, {}};
+  return {prepared.curve, shows.volume, prepared.isosurfaces};
+}
 
 bool isShown(const PreparedScene& prepared, const ShownScalars& shows, std::size_t cell) {
   const auto& scalars = prepared.scalars;
@@ -87,15 +93,15 @@ Faces partOf(const Faces& whole, const Kept& points, const Kept& cells, const Ke
 
 }  // namespace
 
-std::vector<unsigned char> shownCells(const PreparedScene& prepared) {
-  const ShownScalars shows(prepared.curve);
+std::vector<unsigned char> shownCells(const PreparedScene& prepared, const WhatShows& what) {
+  const ShownScalars shows = shownScalars(prepared, what);
   std::vector<unsigned char> shown(prepared.mesh.tetrahedra.size());
   parallelFor(0, shown.size(), kGrain, [&](std::size_t c) { shown[c] = isShown(prepared, shows, c) ? 1 : 0; });
   return shown;
 }
 
-bool hasClearCells(const PreparedScene& prepared) {
-  const ShownScalars shows(prepared.curve);
+bool hasClearCells(const PreparedScene& prepared, const WhatShows& what) {
+  const ShownScalars shows = shownScalars(prepared, what);
   std::atomic<bool> found{false};
   parallelFor(0, prepared.mesh.tetrahedra.size(), kGrain, [&](std::size_t c) {
     if (!found.load(std::memory_order_relaxed) && !isShown(prepared, shows, c))
@@ -104,8 +110,8 @@ bool hasClearCells(const PreparedScene& prepared) {
   return found;
 }
 
-std::optional<PreparedScene> visiblePart(const PreparedScene& whole) {
-  const std::vector<unsigned char> shown = shownCells(whole);
+std::optional<PreparedScene> visiblePart(const PreparedScene& whole, const WhatShows& what) {
+  const std::vector<unsigned char> shown = shownCells(whole, what);
   const Kept cells(shown);
   if (cells.count() == shown.size()) return std::nullopt;
   const Kept points = pointsOf(whole, shown), faces = facesOf(whole, shown);
@@ -117,6 +123,7 @@ std::optional<PreparedScene> visiblePart(const PreparedScene& whole) {
   part.frame = whole.frame;
   part.longestEdge = whole.longestEdge;
   part.curve = whole.curve;
+  part.isosurfaces = whole.isosurfaces;
   part.transferFunction = whole.transferFunction;
   part.meaning = whole.meaning;
   part.mesh.points = points.make<Vec3>([&](std::size_t p) { return whole.mesh.points[p]; });

@@ -47,12 +47,12 @@ class PartRenderer final : public Renderer {
 std::unique_ptr<Renderer> rendererOfNothing(bool certificate) { return std::make_unique<NothingRenderer>(certificate); }
 
 std::unique_ptr<Renderer> rendererOfVisiblePart(
-    const PreparedScene& prepared, bool certificate, StageTimes& stages,
+    const PreparedScene& prepared, const WhatShows& what, bool certificate, StageTimes& stages,
     const std::function<std::unique_ptr<Renderer>(const PreparedScene&)>& make) {
   std::unique_ptr<PreparedScene> part;
   {
     const ScopedStage timer(stages, "visible");
-    if (auto visible = visiblePart(prepared)) part = std::make_unique<PreparedScene>(std::move(*visible));
+    if (auto visible = visiblePart(prepared, what)) part = std::make_unique<PreparedScene>(std::move(*visible));
   }
   if (!part) return make(prepared);
   if (part->mesh.tetrahedra.empty()) return rendererOfNothing(certificate);

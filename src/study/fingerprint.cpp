@@ -37,6 +37,7 @@ std::string fingerprintOf(const PreparedScene& prepared) {
   hash.add(prepared.scalars);
   hash.add(prepared.curve.knots);
   hash.add(prepared.curve.opaque);
+  hash.add(prepared.isosurfaces);
   return hash.digits();
 }
 

@@ -1,7 +1,7 @@
 #include "study/truth.h"
 
 #include "reference/edge_mask.h"
-#include "reference/reference_renderer.h"
+#include "render/make_renderer.h"
 #include "study/subject.h"
 #include "study/timed_draw.h"
 
@@ -11,7 +11,7 @@ const Truth& Truths::of(const Scene& scene) {
   const std::pair size{scene.width, scene.height};
   if (const auto found = truths_.find(size); found != truths_.end()) return found->second;
   const View view = viewOf(scene, prepared_);
-  TimedDrawing timed = drawTimed(*makeReferenceRenderer(prepared_), view);
+  TimedDrawing timed = drawTimed(*makeReference(scene, prepared_), view);
   ReferenceRecord record{subject_, scene.width, scene.height, "", timed.wallMs, timed.cpuMs};
   if (!folder_.empty()) {
     const std::string name = fileNameOf(subject_ + "-reference-" + std::to_string(std::max(scene.width, scene.height)));

@@ -109,6 +109,28 @@ INSTANTIATE_TEST_SUITE_P(
     nameOfCase);
 
 INSTANTIATE_TEST_SUITE_P(
+    Isosurfaces, BadOption,
+    testing::Values(Refused{"ValueIsText", rendering({"--isosurface", "high"}), "VALUE[,COLOR[,OPACITY]]"},
+                    Refused{"ValueMissing", rendering({"--isosurface", ",red"}), "VALUE[,COLOR[,OPACITY]]"},
+                    Refused{"ValueNaN", rendering({"--isosurface", "nan"}), "no value"},
+                    Refused{"ValueOutside", rendering({"--isosurface", "3.5"}), "0 to 3"},
+                    Refused{"Color", rendering({"--isosurface", "1,rde"}), "magenta"},
+                    Refused{"ColorBeyondOne", rendering({"--isosurface", "1,0,0,2"}), "0,0,2"},
+                    Refused{"OpacityWithoutComma", rendering({"--isosurface", "1,0.3"}), "'0.3'"},
+                    Refused{"OpacityZero", rendering({"--isosurface", "1,red,0"}), "opacity"},
+                    Refused{"OpacityAboveOne", rendering({"--isosurface", "1,,1.5"}), "opacity"},
+                    Refused{"OpacityText", rendering({"--isosurface", "1,red,half"}), "'half'"},
+                    Refused{"OpacityMissing", rendering({"--isosurface", "1,red,"}), "last comma"},
+                    Refused{"TooMany", rendering({"--isosurface", "1,0,0,0,1,1"}), "VALUE[,COLOR[,OPACITY]]"},
+                    Refused{"AloneWithout", rendering({"--mode", "isosurfaces"}), "--isosurface VALUE"},
+                    Refused{"InAnUnorderedMode", rendering({"--mode", "maximum", "--isosurface", "1"}),
+                            "volume or isosurfaces"},
+                    Refused{"OfColours", rendering({"--lookup", "pre", "--isosurface", "1"}), "another --lookup"},
+                    Refused{"OfCells", rendering({"--field", "cell:region", "--isosurface", "1"}), "--field"},
+                    Refused{"OfTheReference", {"reference", "cube.node", "--isosurface", "4"}, "0 to 3"}),
+    nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
     Method, BadOption,
     testing::Values(Refused{"Device", rendering({"--device", "osmsa"}), "'osmesa'"},
                     Refused{"Sort", rendering({"--sort", "centriod"}), "'centroid'"},

@@ -61,6 +61,9 @@ TEST_F(SceneFile, SavedFromACommandLineDrawsTheSame) {
        "16", "--table-format", "rgba8", "--early-termination", "0.75", "--threads", "1"},
       {"--clip-plane", "0.5,0.5,0.5,1,-0.5,0.25", "--clip-plane", "0,0,1,0,0,-1", "--threshold", "-1,3.5"},
       {"--clip-box", "0.1,0.9,0.2,2,-1,0.8", "--cut-box", "0,0.5,0,0.5,0,0.5", "--cut-box", "0.7,1,0.7,1,0.7,1"},
+      {"--isosurface", "0.75,red,0.5", "--isosurface", "1.5,0.25,0.5,0.75", "--isosurface", "2,,0.125", "--isosurface",
+       "2.5,#102030", "--isosurface", "1", "--device", "native"},
+      {"--mode", "isosurfaces", "--isosurface", "1.25"},
       {"--paper", "--device", "native", "--k", "auto", "--tetgen", "pq", "--field", "attribute0"}};
   for (const auto& line : lines) {
     std::vector<std::string> all{"render", "cube.node", "--size",       "40x30",
@@ -124,6 +127,11 @@ TEST_F(SceneFile, WrongOnesAreRefused) {
   refused(R"({"version": 1, "mesh": "cube.node", "paper": 1})", "'paper' must be true or false");
   refused(R"({"version": 1, "mesh": "cube.node", "camera": {"azimut": 3}})", "'azimuth'");
   refused(R"({"version": 1, "mesh": "cube.node", "outputs": "a.png"})", "'outputs' must be a list");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": 1})", "'isosurfaces' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"color": "red"}]})", "'isosurfaces' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"value": "1"}]})", "'isosurfaces' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"value": 1, "colour": "red"}]})", "'color'");
+  refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": {"value": 1, "opacity": 2}})", "opacity");
   refused(R"({"version": 1, "mesh": "no.node"})", "no.node");
   refused(R"({"version": 1, "mesh": "cube.node", "sort": "toplogical"})", "topological");
   expectRefused({"render", "nowhere.json"}, "nowhere.json");

@@ -149,7 +149,7 @@ RayColor PixelTracer::composite(std::vector<Fragment> fragments) const {
       segments.push_back(
           {front.distance, back.distance, front.scalar, cellData ? front.scalar : back.scalar, kNoIndex});
   }
-  return rayColor(prepared_.curve, segments);
+  return rayColor({prepared_.curve, prepared_.isosurfaces}, segments);
 }
 
 TracedFragment PixelTracer::describe(const Fragment& fragment, double x, double y) const {

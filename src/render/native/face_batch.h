@@ -83,6 +83,7 @@ struct FaceBatch {
   alignas(64) Floats atOrigin[kFunctions], perX[kFunctions], perY[kFunctions];
   alignas(64) Floats value0[kValues];  ///< the first corner's, which the numerators are relative to
   alignas(64) Floats kind;
+  alignas(64) Floats low, high;  ///< of a value that has bounds; set by the drawer
 
   /// What lies behind `count` repeats the last face, and is not drawn.
   void gather(const TileDraw& tile, const std::uint32_t* listed, int count) {

@@ -64,8 +64,9 @@ class FaceRaster {
 
   int stamps() const { return tile_.stampsAcross * tile_.stampsDown; }
   static unsigned groupBits(unsigned stampBits, int group) { return stampBits >> (group * kLanes) & kGroupBits; }
-  /// To [0, 1].
-  static Real clamped(Real value) { return Lanes::least(Lanes::most(value, Real(0.0f)), Real(1.0f)); }
+  static Real clamped(Real value, float low = 0, float high = 1) {
+    return Lanes::least(Lanes::most(value, Real(low)), Real(high));
+  }
   static double meanOf(const FaceHit& hit, double a, double b, double c) {
     return (hit.a * a + hit.b * b + hit.c * c) / (hit.a + hit.b + hit.c);
   }

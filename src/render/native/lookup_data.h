@@ -33,6 +33,7 @@ struct LookupData {
   int lookupNumber = 0;  ///< Lookup::number
   bool cellData = false;
   bool opaqueSurfaces = false;
+  bool isosurfaces = false;
   bool lit = false;  ///< segments carry light
 };
 

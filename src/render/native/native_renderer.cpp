@@ -162,6 +162,7 @@ class NativeRenderer final : public Renderer {
   void prepareMesh() {
     mesh_.faces = reinterpret_cast<const std::uint32_t(*)[3]>(prepared_.faces.vertices.data());
     mesh_.cellData = prepared_.facts().cellData;
+    mesh_.isosurfaces = plan_.isosurfaces;
     if (plan_.lookup.carries == Payload::color) {
       if (mesh_.cellData) {
         colorsBehind_ = colorsBehindFaces(prepared_);

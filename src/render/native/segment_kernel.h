@@ -17,6 +17,7 @@
 #define WHERE_ANY(mask) if (anyLane(mask))
 #define UNIFORM(T, name) const T name = uniform<T>(data, nameKey(#name))
 #define HAVS_OPAQUE_SURFACES
+#define HAVS_ISOSURFACES
 #define HAVS_LIT
 
 namespace havs {
@@ -73,6 +74,7 @@ struct Shading {
   const int lookupNumber = data.lookupNumber;
   const bool cellData = data.cellData;
   const bool opaqueSurfaces = data.opaqueSurfaces;
+  const bool isosurfaces = data.isosurfaces;
   const bool lit = data.lit;
 
 #include "core/segment.glsl"

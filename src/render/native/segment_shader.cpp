@@ -63,6 +63,7 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
   lookup.lookupNumber = plan.lookup.number;
   lookup.cellData = plan.cellData;
   lookup.opaqueSurfaces = plan.opaqueSurfaces && plan.lookup.carries != Payload::color;
+  lookup.isosurfaces = plan.isosurfaces;
   lookup.lit = plan.lookup.carries == Payload::lit;
 }
 

@@ -34,6 +34,7 @@ struct RasterMesh {
   double fixedDepth;                ///< of a plane across the view that depths are taken relative to, and its
   double fixedDistance;             ///< distance from the eye, > 0; 1 for parallel rays
   bool cellData;
+  bool isosurfaces;  ///< scalars stay within those of a face's corners, also in float
   bool parallelRays;
   int width, height;  ///< of the picture
 };

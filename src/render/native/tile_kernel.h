@@ -118,7 +118,22 @@ class TileDrawer
       double value[3];
       attributesOf(batch_.corners[i], batch_.face[i], batch_.entersMesh[i], a, value);
       for (int j = 0; j < 3; ++j) batch_.value[1 + a][j][i] = value[j];
+      if (a > 0) continue;
+      const Bounds bounds = boundsOf(value);
+      batch_.low[i] = bounds.low;
+      batch_.high[i] = bounds.high;
     }
+  }
+
+  /// Of the first attribute, the scalar: with isosurfaces those of the corners, so that a ray in a region of one value
+  /// does not waver about a surface of that value.
+  struct Bounds {
+    float low = 0, high = 1;
+  };
+  Bounds boundsOf(const double* value) const {
+    if (!tile_.mesh.isosurfaces) return {};
+    const double low = value[0] < value[1] ? value[0] : value[1], high = value[0] < value[1] ? value[1] : value[0];
+    return {static_cast<float>(value[2] < low ? value[2] : low), static_cast<float>(value[2] > high ? value[2] : high)};
   }
 
   /// Attribute `a` at the three corners.
@@ -142,7 +157,7 @@ class TileDrawer
     const Batch& f = batch_;
     const Real perSum = Real(1.0f) / function(Batch::kSum);
     auto value = [&](int i) { return Real(f.value0[i][face]) + function(Batch::kNumerator + i) * perSum; };
-    insert(stamp, group, covered, fragmentOf(stamp, group, Real(f.kind[face]), value));
+    insert(stamp, group, covered, fragmentOf(stamp, group, Real(f.kind[face]), {f.low[face], f.high[face]}, value));
   }
 
   void drawHit(int i, int stamp, int pixel, const FaceHit& hit) {
@@ -159,18 +174,20 @@ class TileDrawer
     };
     const Real kind = Real(batch_.boundary[i] ? (entersMesh ? 1.0f : -1.0f) : 0.0f);
     const int group = pixel / kLanes, lane = pixel % kLanes;
-    insert(stamp, group, 1u << lane, fragmentOf(stamp, group, kind, value));
+    double scalar[3];
+    attributesOf(corners, batch_.face[i], entersMesh, 0, scalar);
+    insert(stamp, group, 1u << lane, fragmentOf(stamp, group, kind, boundsOf(scalar), value));
   }
 
   /// value(0): the depth; value(1 + a): attribute a.
   template <class Value>
-  typename A::Fragment fragmentOf(int stamp, int group, Real kind, const Value& value) const {
+  typename A::Fragment fragmentOf(int stamp, int group, Real kind, const Bounds& bounds, const Value& value) const {
     const Real depth = value(0), scale = Lanes::load(tile_.rayScale + stamp * kStampPixels + group * kLanes);
     typename A::Fragment fragment;
     fragment.distance = depth * scale;
     fragment.payload.kind = kind;
     if constexpr (kLit) {
-      fragment.payload.scalar = clamped(value(1));
+      fragment.payload.scalar = clamped(value(1), bounds.low, bounds.high);
       Real row[kMostRowNumbers];
       for (int i = 0; i < tile_.light->rowLength; ++i) row[i] = value(2 + i);
       auto number = [&](int i) { return row[i]; };
@@ -182,7 +199,8 @@ class TileDrawer
       fragment.payload.light = light.at(x, y, depth, Real(1.0f) / scale, number);
       fragment.payload.density = light.densityAt(number);
     } else {
-      for (int i = 0; i < kAttributes; ++i) fragment.payload.number(i) = clamped(value(1 + i));
+      fragment.payload.number(0) = clamped(value(1), bounds.low, bounds.high);
+      for (int i = 1; i < kAttributes; ++i) fragment.payload.number(i) = clamped(value(1 + i));
     }
     return fragment;
   }

@@ -204,7 +204,7 @@ TEST(VisiblePart, OfAClearTransferFunctionIsEmptyAndItsPictureToo) {
   StageTimes stages;
   for (const bool certificate : {false, true}) {
     const auto renderer =
-        rendererOfVisiblePart(whole, certificate, stages, [](const PreparedScene&) -> std::unique_ptr<Renderer> {
+        rendererOfVisiblePart(whole, {}, certificate, stages, [](const PreparedScene&) -> std::unique_ptr<Renderer> {
           ADD_FAILURE() << "there is nothing to draw";
           return nullptr;
         });

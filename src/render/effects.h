@@ -1,0 +1,27 @@
+#pragma once
+// The table of effects: what a scene may have drawn beside the volume (docs/06-add-a-method.md). A mode says what it
+// shows of them.
+#include <span>
+#include <string>
+
+#include "render/plan.h"
+#include "scene/scene.h"
+
+namespace havs {
+
+/// One row of the table.
+struct Effect {
+  std::string name;
+  std::string description;
+  /// Whether the scene asks for it. All else is called only then.
+  bool (*wanted)(const Scene& scene) = nullptr;
+  /// Numbers that are out of range, and what it cannot be drawn with. Throws Error{input}.
+  void (*check)(const Scene& scene) = nullptr;
+  /// Its part of the plan, defines and resources with their reasons, after the lookup's and before the method's. A pure
+  /// function. Throws Error like plan().
+  void (*plan)(RenderPlan& plan, const Scene& scene, const SceneFacts& facts,
+               const Capabilities& capabilities) = nullptr;
+};
+std::span<const Effect> effects();
+
+}  // namespace havs
