@@ -8,8 +8,8 @@
 
 namespace havs {
 
-/// The row of a table of methods with this name. `what`: what the rows are, for the message ("lookup"); `where`: the option. Throws
-/// Error{input} for an unknown name, naming the nearest.
+/// The row of a table of methods with this name. `what`: what the rows are, for the message ("lookup"); `where`: the
+/// option. Throws Error{input} for an unknown name, naming the nearest.
 template <class Row>
 const Row& findRow(std::span<const Row> rows, const std::string& name, const std::string& what,
                    const std::string& where = "") {

@@ -21,8 +21,8 @@ struct ViewLight {
 /// what scatters; and what of it changes with the view.
 class LightData {
  public:
-  /// `drawn`: the scene, or the part of it that is drawn; light goes through the whole. Stages timed: gradients, tracer,
-  /// occlusion, scattering_table. Throws Error{input} for lights without a direction.
+  /// `drawn`: the scene, or the part of it that is drawn; light goes through the whole. Stages timed: gradients,
+  /// tracer, occlusion, scattering_table. Throws Error{input} for lights without a direction.
   LightData(const PreparedScene& drawn, const LightPlan& plan, StageTimes& stages);
   ~LightData();
   LightData(LightData&&) noexcept;

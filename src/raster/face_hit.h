@@ -5,7 +5,8 @@ namespace havs {
 
 /// Where the ray of a pixel meets a face, by the fill rule of raster/edge_function.h.
 struct FaceHit {
-  /// 1 or -1 where the ray meets the face before or behind the eye: the sign of its three products; 0 where it does not.
+  /// 1 or -1 where the ray meets the face before or behind the eye: the sign of its three products; 0 where it does
+  /// not.
   int sign = 0;
   /// The corners' shares, up to a common factor of that sign.
   double a = 0, b = 0, c = 0;

@@ -25,8 +25,8 @@ double firstOpaque(const ExtinctionCurve& curve, double sFront, double sBack);
 
 /// The table of the paper: (front scalar, back scalar, length) -> premultiplied colour and opacity.
 struct Table3d {
-  int size = 0;              ///< entries along both scalars; entry i of an axis of n stands for i / (n - 1) of its range
-  int lengths = 0;           ///< entries along the length
+  int size = 0;     ///< entries along both scalars; entry i of an axis of n stands for i / (n - 1) of its range
+  int lengths = 0;  ///< entries along the length
   double maximumLength = 0;  ///< of the last entry along the length axis, local units
   std::vector<float> rgba;   ///< 4 floats an entry; entry (f, b, l) at ((l * size + b) * size + f) * 4
 };

@@ -2,8 +2,8 @@
 // The mesh of the benches that take any, a cube by default.
 #include <string>
 
-#include "mesh/scalar_field.h"
 #include "mesh/read.h"
+#include "mesh/scalar_field.h"
 
 namespace havs {
 

@@ -232,8 +232,9 @@ TEST_P(OrderCertificate, IsAbsentWhereNotAskedFor) {
   const RenderPlan chosen = plan(scene, prepared.scene.facts(), capabilitiesOf(*device_));
   EXPECT_EQ(chosen.defines.size() + 1, definesWith.size());
   for (const ShaderDefine& define : chosen.defines) EXPECT_NE(define.name, "HAVS_CERTIFICATE");
-  const Program program("without", {{GL_VERTEX_SHADER, shaderSource("faces.vert")},
-                                    {GL_FRAGMENT_SHADER, shaderSource("kbuffer.frag", programOf(chosen, "insert").options)}});
+  const Program program("without",
+                        {{GL_VERTEX_SHADER, shaderSource("faces.vert")},
+                         {GL_FRAGMENT_SHADER, shaderSource("kbuffer.frag", programOf(chosen, "insert").options)}});
   GLint blocks = -1;
   glGetProgramInterfaceiv(program.id(), GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
   EXPECT_EQ(blocks, 0);

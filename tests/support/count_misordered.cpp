@@ -1,8 +1,8 @@
 // Prints how many fragments come too late for a k-buffer of 1 to 14 entries, for each order:
 //   count_misordered [--tf NAME] MESH SIZE ORDER...
 // at the default camera; VIEWS=n in the environment: summed over n cameras around the mesh, all of them perspective but
-// every third. With a transfer function only the cells that show anything are looked at, in the order of their own and in
-// that of the whole mesh. The picture is not drawn.
+// every third. With a transfer function only the cells that show anything are looked at, in the order of their own and
+// in that of the whole mesh. The picture is not drawn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,7 +90,8 @@ void countMisordered(const Scene& scene, bool visibleOnly, const std::vector<std
              drawn.faces.boundaryCount, scene.width, scene.height);
   if (drawn.mesh.tetrahedra.empty()) return;
   for (const std::string& name : orders) {
-    print(name, [&](const View& view) { return orderOf(drawn, name, view); }, drawn, views);
+    print(
+        name, [&](const View& view) { return orderOf(drawn, name, view); }, drawn, views);
     if (part)
       print(
           name + " of the whole mesh", [&](const View& view) { return filtered(orderOf(whole, name, view), whole); },

@@ -24,7 +24,8 @@ ReplayResult OrderedScene::replay(const std::string& sort, const View& view, int
   return test::replay({points, &faces, faceOrder.faces, scalars, view}, k, color);
 }
 
-std::vector<ReplayResult> OrderedScene::replay(const std::string& sort, const View& view, std::span<const int> ks) const {
+std::vector<ReplayResult> OrderedScene::replay(const std::string& sort, const View& view,
+                                               std::span<const int> ks) const {
   const FaceOrder faceOrder = order(sort, view);
   return test::replay({points, &faces, faceOrder.faces, scalars, view}, ks);
 }

@@ -6,6 +6,7 @@
 
 #include "gl/check.h"
 #include "gl/program_cache.h"
+#include "light/light_data.h"
 #include "render/changes_k.h"
 #include "render/gl/certificate_counter.h"
 #include "render/gl/done_pixels.h"
@@ -16,7 +17,6 @@
 #include "render/gl/renderers.h"
 #include "render/gl/stage_sum.h"
 #include "render/gl/tile.h"
-#include "light/light_data.h"
 #include "render/make_renderer.h"
 #include "render/scene_sorter.h"
 

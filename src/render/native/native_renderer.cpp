@@ -10,8 +10,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/fragment_values.h"
 #include "light/light_data.h"
+#include "render/fragment_values.h"
 #include "render/make_renderer.h"
 #include "render/native/kernels.h"
 #include "render/native/renderers.h"
