@@ -7,38 +7,30 @@
 #include "core/cell_exit.glsl"
 #include "segment_color.glsl"
 
-smooth in vec3 weights;
+smooth in vec2 weights;
 smooth in float scalar;
-flat in vec3 cornerScalars;
-flat in vec4 frontA, frontB, frontC;
-flat in vec4 backA, backB, backC;
-flat in float hasBack;
+flat in vec3 gradientA, gradientB, gradientC, scalarGradient;
+flat in vec2 scalarRange;
 #ifdef HAVS_CELL_DATA
-flat in vec2 cellScalars;
+flat in float cellScalar;
 #endif
 uniform vec4 pixelToRay;  // xy scale and zw offset from window coordinates to the ray's slope; zero for parallel rays
 
 layout(location = 0) out vec4 sums;
 
 Segment segmentOfCell() {
-  vec4 a = gl_FrontFacing ? frontA : backA;
-  vec4 b = gl_FrontFacing ? frontB : backB;
-  vec4 c = gl_FrontFacing ? frontC : backC;
   vec3 along = vec3(gl_FragCoord.xy * pixelToRay.xy + pixelToRay.zw, 1.0);
-  vec3 rates = vec3(dot(a.xyz, along), dot(b.xyz, along), dot(c.xyz, along));
-  vec3 weight = clamp(weights, 0.0, 1.0);
-  float least = min(min(cornerScalars.x, cornerScalars.y), min(cornerScalars.z, a.w));
-  float most = max(max(cornerScalars.x, cornerScalars.y), max(cornerScalars.z, a.w));
   Segment segment;
   segment.scalarFront = clamp(scalar, 0.0, 1.0);
-  CellStretch stretch = stretchOf(weight.x, weight.y, weight.z, 1.0, rates.x, rates.y, rates.z, segment.scalarFront,
-                                  dot(rates, cornerScalars - a.w), least, most);
+  CellStretch stretch = stretchOf(weights.x, weights.y, 1.0 - weights.x - weights.y, 1.0, dot(gradientA, along),
+                                  dot(gradientB, along), dot(gradientC, along), segment.scalarFront,
+                                  dot(scalarGradient, along), scalarRange.x, scalarRange.y);
   segment.scalarBack = stretch.scalar;
-  segment.length = stretch.length * length(along);
+  segment.length = atLeast(stretch.length, 0.0) * length(along);  // a weight may be below 0 by its rounding
 #ifdef HAVS_CELL_DATA
-  segment.scalarFront = gl_FrontFacing ? cellScalars.x : cellScalars.y;
+  segment.scalarFront = cellScalar;
 #endif
-  segment.visible = gl_FrontFacing || hasBack > 0.5;
+  segment.visible = true;
   return segment;
 }
 

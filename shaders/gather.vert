@@ -1,5 +1,5 @@
-// A face and the cells on both its sides, for gather.frag: three vertices a face, which fetch all they need by their
-// number. Places are (x, y) across the view and the depth along it, relative to the mesh's centre.
+// A face and the cell that rays enter through it, for gather.frag: three vertices a face, which fetch all they need by
+// their number. Places are (x, y) across the view and the depth along it, relative to the mesh's centre.
 #include "core/language.glsl"
 
 uniform samplerBuffer points;        // position and scalar
@@ -8,35 +8,21 @@ uniform usamplerBuffer faceCorners;  // points a, b, c, counter-clockwise from t
 uniform usamplerBuffer backCorners;  // the point of the cell behind the back; kNone where there is none
 #ifdef HAVS_CELL_DATA
 uniform samplerBuffer faceScalars;  // of the cells behind the front and behind the back
-flat out vec2 cellScalars;
+flat out float cellScalar;
 #endif
 
 uniform mat4 toClip;
 uniform mat3 toView;  // right, up, forward
+uniform vec4 eye;     // for parallel rays the direction to it, and 0
 
-smooth out vec3 weights;  // of a, b, c
+smooth out vec2 weights;  // of a, b; that of c is what they leave of 1
 smooth out float scalar;
-flat out vec3 cornerScalars;
-// By how much the weight of each corner grows per unit of right, up and forward, in the cell behind the front and in
-// that behind the back; and the scalar of that cell's fourth corner.
-flat out vec4 frontA, frontB, frontC;
-flat out vec4 backA, backB, backC;
-flat out float hasBack;
+// Of the cell behind the face: by how much the weight of each corner and the scalar grow per unit of right, up and
+// forward, and the scalar's least and greatest value.
+flat out vec3 gradientA, gradientB, gradientC, scalarGradient;
+flat out vec2 scalarRange;
 
 const uint kNone = 0xFFFFFFFFu;
-
-struct Gradients {
-  vec4 a, b, c;
-};
-
-Gradients gradientsOf(vec3 a, vec3 b, vec3 c, vec4 behind) {
-  vec3 u = a - behind.xyz, v = b - behind.xyz, w = c - behind.xyz;
-  vec3 atA = cross(v, w);
-  float volume = dot(u, atA);
-  float scale = volume != 0.0 ? 1.0 / volume : 0.0;
-  return Gradients(vec4(atA * scale, behind.w), vec4(cross(w, u) * scale, behind.w),
-                   vec4(cross(u, v) * scale, behind.w));
-}
 
 void main() {
   int face = int(texelFetch(faceOrder, gl_VertexID / 3).r);
@@ -46,24 +32,25 @@ void main() {
   vec4 a = texelFetch(points, int(corners.x));
   vec4 b = texelFetch(points, int(corners.y));
   vec4 c = texelFetch(points, int(corners.z));
+  // The side is taken here, where every pixel of the face gets the same: its fragments carry one cell, not two.
+  bool fromFront = dot(cross(b.xyz - a.xyz, c.xyz - a.xyz), eye.xyz - eye.w * a.xyz) > 0.0;
+  bool hasCell = fromFront || back != kNone;
+  vec4 behind = texelFetch(points, int(hasCell && !fromFront ? back : corners.w));
   vec4 own = which == 0 ? a : which == 1 ? b : c;
-  gl_Position = toClip * vec4(own.xyz, 1.0);
-  weights = vec3(which == 0, which == 1, which == 2);
+  gl_Position = hasCell ? toClip * vec4(own.xyz, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);  // outside: nothing is drawn
+  weights = vec2(which == 0, which == 1);
   scalar = own.w;
-  cornerScalars = vec3(a.w, b.w, c.w);
+  scalarRange = vec2(min(min(a.w, b.w), min(c.w, behind.w)), max(max(a.w, b.w), max(c.w, behind.w)));
 #ifdef HAVS_CELL_DATA
-  cellScalars = texelFetch(faceScalars, face).rg;
+  vec2 ofCells = texelFetch(faceScalars, face).rg;
+  cellScalar = fromFront ? ofCells.x : ofCells.y;
 #endif
-  vec4 behindFront = texelFetch(points, int(corners.w));
-  vec4 behindBack = texelFetch(points, int(back == kNone ? corners.w : back));
-  hasBack = back == kNone ? 0.0 : 1.0;
-  vec3 seenA = a.xyz * toView, seenB = b.xyz * toView, seenC = c.xyz * toView;
-  Gradients gradients = gradientsOf(seenA, seenB, seenC, vec4(behindFront.xyz * toView, behindFront.w));
-  frontA = gradients.a;
-  frontB = gradients.b;
-  frontC = gradients.c;
-  gradients = gradientsOf(seenA, seenB, seenC, vec4(behindBack.xyz * toView, behindBack.w));
-  backA = gradients.a;
-  backB = gradients.b;
-  backC = gradients.c;
+  vec3 u = (a.xyz - behind.xyz) * toView, v = (b.xyz - behind.xyz) * toView, w = (c.xyz - behind.xyz) * toView;
+  vec3 atA = cross(v, w);
+  float volume = dot(u, atA);
+  float scale = volume != 0.0 ? 1.0 / volume : 0.0;
+  gradientA = atA * scale;
+  gradientB = cross(w, u) * scale;
+  gradientC = cross(u, v) * scale;
+  scalarGradient = gradientA * (a.w - behind.w) + gradientB * (b.w - behind.w) + gradientC * (c.w - behind.w);
 }

@@ -9,7 +9,8 @@
 // while (anyLane(mask)); lanes that are done must not change any more. WHERE_ANY(mask) { ... } may be left out where no
 // lane needs it: it must change nothing that matters in lanes outside of the mask.
 // The lookups (shaders/lookup, segment_color.glsl) are in this subset, too. They may use UNIFORM(T, name), T of Scalar,
-// int, Texels and Table2d, Table3d (filter.glsl), and the fetch functions rgbaAt, numberAt, scalarAt.
+// int, Texels and Table2d, Table3d (filter.glsl), and the fetch functions rgbaAt, numberAt, scalarAt; and
+// UNIFORM_NUMBERS(name, count), as many Scalars, name[i] with an i that is the same for all lanes.
 #define Real float
 #define Scalar float
 #define Mask bool
@@ -38,6 +39,7 @@ bool anyLane(Mask mask) { return mask; }
 int toInt(Real x) { return int(x); }  // towards zero
 
 #define UNIFORM(T, name) uniform T name
+#define UNIFORM_NUMBERS(name, count) uniform float name[count]
 #define Texels samplerBuffer
 // Texel i; the number of texel i; the same where i is the same for all lanes.
 Rgba rgbaAt(Texels texels, Int i) { return texelFetch(texels, i); }

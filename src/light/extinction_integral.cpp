@@ -60,7 +60,8 @@ double ExtinctionIntegral::mean(double a, double b) const {
   const auto [low, high] = std::minmax(a, b);
   const std::size_t i = pieceAbove(low);
   const Piece& first = pieces_[i];
-  if (high <= first.end) return 0.5 * (first.kappa(low) + first.kappa(high));
+  const bool isLast = i + 1 == pieces_.size();  // a mean of scalars may lie above 1 by its rounding
+  if (isLast || high <= first.end) return 0.5 * (first.kappa(low) + first.kappa(high));
   const std::size_t j = pieceBelow(high);
   const Piece &next = pieces_[i + 1], &last = pieces_[j];
   const double between = (last.sum - next.sum) + (last.rest - next.rest);

@@ -7,7 +7,8 @@
 
 namespace havs {
 
-/// The extinction of a curve, made ready to be averaged over ranges of the scalar. Scalars are of [0, 1].
+/// The extinction of a curve, made ready to be averaged over ranges of the scalar. Scalars are of [0, 1],
+/// or beyond its ends by the rounding of a mean.
 class ExtinctionIntegral {
  public:
   explicit ExtinctionIntegral(const ExtinctionCurve& curve);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "transfer/few_pieces.h"
 #include "transfer/mean_tables.h"
 #include "transfer/packed_curve.h"
 #include "transfer/preintegration.h"
@@ -72,6 +73,15 @@ ResourceData makeCurve(const ResourceInput& input) {
   made.tables["curvePieces"] = texels(packed.pieces);
   made.tables["curveGuide"] = numbers(packed.guide);
   made.numbers["guideCells"] = static_cast<float>(packed.guide.size());
+  return made;
+}
+
+ResourceData makeFewPieces(const ResourceInput& input) {
+  const FewPieces pieces = fewPieces(withSurfaceColors(input.prepared.curve));
+  ResourceData made;
+  made.rows["pieceEnds"].assign(pieces.ends.begin(), pieces.ends.end());
+  made.rows["pieceAtZero"].assign(pieces.atZero.begin(), pieces.atZero.end());
+  made.rows["pieceHalfSlope"].assign(pieces.halfSlope.begin(), pieces.halfSlope.end());
   return made;
 }
 

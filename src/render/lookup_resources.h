@@ -34,6 +34,7 @@ struct ResourceTable {
 struct ResourceData {
   std::map<std::string, ResourceTable> tables;
   std::map<std::string, std::variant<int, float>> numbers;
+  std::map<std::string, std::vector<float>> rows;  ///< of as many numbers as the shader says (UNIFORM_NUMBERS)
 };
 
 /// All that the plan's lookup reads, one for each of its resources. Throws Error{running} (no memory).
@@ -46,6 +47,7 @@ std::vector<ResourceData> makeResources(const PreparedScene& prepared, const Ren
 double meanSegmentLength(const PreparedScene& prepared);
 
 ResourceData makeCurve(const ResourceInput& input);
+ResourceData makeFewPieces(const ResourceInput& input);
 ResourceData makeIntegrals(const ResourceInput& input);
 ResourceData makeOpaqueIntervals(const ResourceInput& input);
 ResourceData makeIsosurfaces(const ResourceInput& input);

@@ -56,6 +56,7 @@ std::string exampleName(const Lookup& row) { return withoutMark(row.name) + (row
 std::span<const LookupResource> lookupResources() {
   static const std::vector<LookupResource> rows{
       {.name = "curve", .description = "the transfer function, piece by piece", .make = makeCurve},
+      {.name = "few pieces", .description = "extinction where few pieces make it up", .make = makeFewPieces},
       {.name = "integrals",
        .description = "integrals of extinction and light up to each knot of the transfer function",
        .make = makeIntegrals},

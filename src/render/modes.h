@@ -29,6 +29,7 @@ struct Mode {
   /// the scene's lookup, where it has a shader.
   Lookup measure;
   std::string measureOfFewKnots;  ///< another shader for it, where cells hold few knots (fewKnots in render/plan.h)
+  Lookup measureOfFewPieces;      ///< before that, of SceneFacts::fewPieces; its number is that of the pieces
   /// What a pixel holds before anything has been gathered.
   std::array<float, 4> start{0, 0, 0, 0};
   /// From what a pixel has gathered to its premultiplied colour, in place.

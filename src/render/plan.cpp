@@ -122,6 +122,17 @@ void planOrder(RenderPlan& result, const Scene& scene, const Capabilities& capab
           "the visibility method " + result.visibility.name + " takes them near first");
 }
 
+Lookup measureOf(const Mode& shown, const SceneFacts& facts) {
+  if (!shown.measureOfFewPieces.shader.empty() && facts.fewPieces > 0) {
+    Lookup measure = shown.measureOfFewPieces;
+    measure.number = facts.fewPieces;
+    return measure;
+  }
+  Lookup measure = shown.measure;
+  if (!shown.measureOfFewKnots.empty() && fewKnots(facts.knotsInCells)) measure.shader = shown.measureOfFewKnots;
+  return measure;
+}
+
 }  // namespace
 
 void checkRange(double value, double least, double most, const std::string& name) {
@@ -254,9 +265,7 @@ RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities&
     result.lookup = lookupOf(scene);
     planLight(result, scene, facts);
   } else {
-    result.lookup = shown.measure;
-    if (!shown.measureOfFewKnots.empty() && fewKnots(facts.knotsInCells))
-      result.lookup.shader = shown.measureOfFewKnots;
+    result.lookup = measureOf(shown, facts);
   }
   result.way = wayOf(shown, result.visibility, capabilities);
   planLookup(result, scene, facts, capabilities);

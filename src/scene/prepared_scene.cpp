@@ -14,6 +14,7 @@
 #include "scene/clip_scene.h"
 #include "scene/knots_in_cells.h"
 #include "scene/visible_part.h"
+#include "transfer/few_pieces.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
@@ -172,6 +173,7 @@ SceneFacts PreparedScene::facts() const {
   facts.cellData = field.centering == Centering::cell;
   facts.opaqueSurfaces = !curve.opaque.empty();
   facts.knotsInCells = knotsInCells;
+  facts.fewPieces = countFewPieces(withSurfaceColors(curve));
   facts.clearCells = clearCells;
   facts.cellsWithoutSurface = cellsWithoutSurface;
   facts.points = points.size();

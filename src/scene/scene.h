@@ -64,6 +64,7 @@ struct SceneFacts {
   bool cellData = false;             ///< the scalar belongs to the cells
   bool opaqueSurfaces = false;       ///< the transfer function reaches opacity 1 (per_unit)
   double knotsInCells = 0;           ///< meanKnotsInCells (scene/knots_in_cells.h)
+  int fewPieces = 0;                 ///< of the transfer function: countFewPieces (transfer/few_pieces.h)
   bool clearCells = false;           ///< some cells show nothing: volume nor isosurface (scene/visible_part.h)
   bool cellsWithoutSurface = false;  ///< some cells show no isosurface
   std::size_t points = 0, cells = 0, faces = 0;  ///< of the mesh

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "gl/device.h"
+#include "gl/drawing.h"
 #include "image/compare.h"
 #include "image/meshes_drawn.h"
 #include "image/native_scene.h"
@@ -85,6 +86,15 @@ TEST_P(ModeAgainstReference, Orthographic) {
   scene.camera.azimuth = 200;
   scene.camera.elevation = -35;
   expectRight(scene, mesh_);
+}
+
+/// What fits into registers (transfer/few_pieces.h): a step, a piece for every few cells, opacity per unit length.
+TEST_P(ModeAgainstReference, TransferFunctionOfFewPieces) {
+  const TransferFile transfer(R"({"version": 1, "opacity": "extinction", "unit_length": 0.5, "points": [
+      {"scalar": 0, "color": [0.1, 0, 0.3], "opacity": 0.1}, {"scalar": 0.3, "color": [0.2, 0.5, 0.6], "opacity": 1.5},
+      {"scalar": 0.55, "color": [0.1, 0.6, 0.5], "opacity": 0.2}, {"scalar": 0.55, "color": [0.9, 0.8, 0.1], "opacity": 2},
+      {"scalar": 1, "color": [1, 0.3, 0.1], "opacity": 0.3}]})");
+  expectRight(sceneWith(transfer.path()), mesh_);
 }
 
 TEST_P(ModeAgainstReference, CellData) { expectRight(sceneWith("viridis"), withSmoothCells(mesh_)); }

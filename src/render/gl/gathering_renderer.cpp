@@ -90,6 +90,7 @@ class GatheringRenderer final : public Renderer {
     glBlendEquation(blendEquation(plan_.gathering));
     if (sums()) {
       program_.set("toView", glm::mat3(glm::dmat3(view.right, view.up, view.forward)));
+      program_.set("eye", view.orthographic ? glm::vec4(-view.forward, 0) : glm::vec4(view.eye, 1));
       textures_->bind(program_);
       cells_->bind(program_);
       cells_->draw();

@@ -13,6 +13,7 @@ LookupTextures::LookupTextures(const PreparedScene& prepared, const RenderPlan& 
     }
     for (const auto& [name, number] : resource.numbers)
       std::visit([&, &uniform = uniforms_[name]](auto n) { uniform = n; }, number);
+    rows_.insert(resource.rows.begin(), resource.rows.end());
   }
 }
 
@@ -42,6 +43,7 @@ void LookupTextures::bind(const Program& program) const {
   }
   for (const auto& [name, value] : uniforms_)
     std::visit([&, &uniform = name](const auto& v) { program.set(uniform.c_str(), v); }, value);
+  for (const auto& [name, row] : rows_) program.set(name.c_str(), std::span<const float>(row));
 }
 
 }  // namespace havs

@@ -26,6 +26,7 @@ class LookupTextures {
 
   std::map<std::string, Texture> samplers_;
   std::map<std::string, std::variant<int, float, glm::vec3>> uniforms_;
+  std::map<std::string, std::vector<float>> rows_;
   std::vector<Buffer> buffers_;  // that buffer textures look at
 };
 

@@ -11,6 +11,7 @@
 // Included by gather_kernel.h.
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "render/native/face_batch.h"
 #include "render/native/tile_draw.h"
@@ -31,7 +32,7 @@ struct CellBatch {
 
   const RasterPoint* corner[kBatch][4];  ///< in the order of their numbers
   std::uint32_t cell[kBatch];
-  bool drawn[kBatch];
+  std::int32_t drawn[kBatch];                                    ///< 0 or 1
   int left[kBatch], top[kBatch], right[kBatch], bottom[kBatch];  ///< pixels of the tile, both ends included
 
   /// At the first pixel of the block that the tile is a part of, and per pixel.
@@ -67,7 +68,10 @@ struct CellBatch {
     findBoxes(tile);
     findRange(tile.mesh);
     findScalars(tile.mesh);
-    for (int face = 0; face < 4; ++face) findPlane(face, tile.mesh);
+    findPlane<0, 1, 2, 3>(tile.mesh);
+    findPlane<1, 0, 2, 3>(tile.mesh);
+    findPlane<2, 0, 1, 3>(tile.mesh);
+    findPlane<3, 0, 1, 2>(tile.mesh);
     for (int i = 0; i < kBatch; ++i)
       if (drawn[i]) assign(i);
   }
@@ -83,9 +87,11 @@ struct CellBatch {
   /// First and last pixel of the tile whose centres lie between the places low and high, by a margin for rounding.
   static void pixelsBetween(double low, double high, int start, int last, int& first, int& end) {
     constexpr double kMargin = 1e-6;
-    const double from = low - kMargin - 0.5 - start, to = high + kMargin - 0.5 - start;
-    first = from < 0 ? 0 : from > last ? last + 1 : static_cast<int>(std::ceil(from));
-    end = to < 0 ? -1 : to > last ? last : static_cast<int>(to);
+    const double from = least(most(low - kMargin - 0.5 - start, 0), last + 1);
+    const double to = least(most(high + kMargin - 0.5 - start, -1), last);
+    const int below = static_cast<int>(from);
+    first = below + (from > below ? 1 : 0);
+    end = static_cast<int>(to + 1) - 1;
   }
 
   void findBoxes(const TileDraw& tile) {
@@ -96,7 +102,7 @@ struct CellBatch {
       pixelsBetween(low(column_), high(column_), tile.left, lastX, left[i], right[i]);
       pixelsBetween(low(row_), high(row_), tile.top, lastY, top[i], bottom[i]);
       const bool beforeEye = low(w_) > 0;  // the mesh has been cut at the eye (scene/eye_plane.h)
-      drawn[i] = beforeEye && left[i] <= right[i] && top[i] <= bottom[i];
+      drawn[i] = (beforeEye ? 1 : 0) & (left[i] <= right[i] ? 1 : 0) & (top[i] <= bottom[i] ? 1 : 0);
     }
   }
 
@@ -133,7 +139,7 @@ struct CellBatch {
         g[c] = s[0] * n0 + s[1] * n1 + s[2] * n2;
         volume += e[0][c] * n0;
       }
-      const double per = volume != 0 ? 1 / volume : 0;
+      const double per = 1 / (volume != 0 ? volume : kInfinity);
       for (double& component : g) component *= per;
       put(kScalar, i, scalar_[3][i] - (g[0] * x_[3][i] + g[1] * y_[3][i] + g[2] * u_[3][i]), scale * g[0],
           scale * g[1]);
@@ -143,26 +149,26 @@ struct CellBatch {
 
   /// The function of the face opposite to a corner. All but whether rays enter the cell through it comes from its
   /// corners a, b, c alone.
-  void findPlane(int face, const RasterMesh& mesh) {
-    constexpr int kCorners[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-    const auto [a, b, c] = kCorners[face];
+  template <int face, int a, int b, int c>
+  void findPlane(const RasterMesh& mesh) {
     const double scale = mesh.parallelRays ? 1 : mesh.fixedDistance;
-    const bool parallel = mesh.parallelRays;
+    const double central = mesh.parallelRays ? 0 : 1, parallel = 1 - central;  // factors, as a choice hinders SIMD
     Plane& plane = plane_[face];
     for (int i = 0; i < kBatch; ++i) {
-      const double ax = x_[a][i], ay = y_[a][i];
+      const double ax = x_[a][i], ay = y_[a][i], aw = w_[a][i];
       const double bx = x_[b][i] - ax, by = y_[b][i] - ay, bu = u_[b][i] - u_[a][i];
       const double cx = x_[c][i] - ax, cy = y_[c][i] - ay, cu = u_[c][i] - u_[a][i];
       const double mx = by * cu - bu * cy, my = bu * cx - bx * cu, mz = bx * cy - by * cx;
       const double inPlane = mx * ax + my * ay;
       const double dx = x_[face][i] - ax, dy = y_[face][i] - ay, du = u_[face][i] - u_[a][i];
       // At the eye the plane's value is -q (parallel rays: towards it); the fourth corner tells where the cell is.
-      const double q = parallel ? mz : inPlane + mz * w_[a][i];
+      const double distance = central * aw + parallel;
+      const double q = central * inPlane + mz * distance;
       const double behind = mx * dx + my * dy + mz * du;
-      const double size = std::abs(mx) + std::abs(my) + std::abs(mz) * (parallel ? 1.0 : w_[a][i]);
+      const double size = std::abs(mx) + std::abs(my) + std::abs(mz) * distance;
       const double floor = kEdgeOn * size;
       const double safe = std::abs(q) > floor ? q : q < 0 ? -floor : floor;
-      const double per = size > 0 ? 1 / safe : 0;
+      const double per = 1 / (size > 0 ? safe : kInfinity);
       plane.atOrigin[i] = static_cast<float>((inPlane + mz * u_[a][i]) * per);
       plane.perX[i] = static_cast<float>(-scale * mx * per);
       plane.perY[i] = static_cast<float>(-scale * my * per);
@@ -180,7 +186,7 @@ struct CellBatch {
       backs += 1 - plane_[face].front[i];
     }
     if (fronts == 0 || backs == 0) {
-      drawn[i] = false;
+      drawn[i] = 0;
       return;
     }
     for (int slot = 0; slot < 3; ++slot) {
@@ -201,6 +207,7 @@ struct CellBatch {
     perY[function][i] = static_cast<float>(perYValue);
   }
 
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// A plane is taken to pass the eye at no less than this part of its size: its function stays finite.
   static constexpr double kEdgeOn = 1e-14;
 

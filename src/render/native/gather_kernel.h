@@ -85,7 +85,15 @@ class SegmentGatherer {
           const Real exit = Lanes::least(Lanes::least(t(B::kBack), t(B::kBack + 1)),
                                          Lanes::least(t(B::kBack + 2), Real(batch_.farthest[c])));
           const unsigned bits = tile_.active[stamp] >> (group * kLanes) & kGroupBits & Lanes::bitsOf(exit > entry);
-          touched_[listed] = {{entry, exit}, x, y, stamp, group, bits};
+          // Number by number: a whole put together beside it would be copied before its parts have arrived there.
+          Touched& next = touched_[listed];
+          next.stretch.entry = entry;
+          next.stretch.exit = exit;
+          next.x = x;
+          next.y = y;
+          next.stamp = stamp;
+          next.group = group;
+          next.bits = bits;
           listed += bits != 0 ? 1 : 0;  // without a branch, which would often be guessed wrong
         }
       }

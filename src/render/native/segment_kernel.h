@@ -16,6 +16,7 @@
 #define TABLE(fetch) fetch
 #define WHERE_ANY(mask) if (anyLane(mask))
 #define UNIFORM(T, name) const T name = uniform<T>(data, nameKey(#name))
+#define UNIFORM_NUMBERS(name, count) const float* const name = uniform<Texels>(data, nameKey(#name)).values
 #define HAVS_OPAQUE_SURFACES
 #define HAVS_ISOSURFACES
 #define HAVS_LIT

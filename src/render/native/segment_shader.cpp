@@ -57,6 +57,8 @@ SegmentShader::SegmentShader(const PreparedScene& prepared, const RenderPlan& pl
     for (const auto& [name, table] : resource.tables) addTable(lookup, name, data_->tables.emplace_back(layOut(table)));
     for (const auto& [name, number] : resource.numbers)
       addNumber(lookup, name, std::visit([](auto n) { return static_cast<float>(n); }, number));
+    for (const auto& [name, row] : resource.rows)
+      addTable(lookup, name, data_->tables.emplace_back(layOut({{static_cast<int>(row.size())}, 1, row})));
   }
   if (plan.lookup.carries == Payload::color)
     addNumber(lookup, "mostExtinction", static_cast<float>(prepared.curve.maximumKappa));

@@ -49,6 +49,18 @@ TEST(ExtinctionIntegral, OneScalarIsTheCurveItself) {
     EXPECT_NEAR(extinction.mean(s, s), curve.at(s).kappa, 1e-15 * curve.at(s).kappa);
 }
 
+/// Three shares that add up to 1 give it of three corners at 1. What was read behind the last piece then was anything.
+TEST(ExtinctionIntegral, ScalarsMayLieBeyondTheEndsByTheirRounding) {
+  const ExtinctionCurve curve = steps();
+  const ExtinctionIntegral extinction(curve);
+  const double above = 1 + 0x1p-52, below = -0x1p-52;
+  for (const double s : {0.8, 1.0, above}) {
+    EXPECT_NEAR(extinction.mean(s, above), extinction.mean(s, 1.0), 4e6 * 0x1p-50);  // the slope is 1.6e7
+    EXPECT_NEAR(extinction.secondMoment(0, 1, s, above), extinction.secondMoment(0, 1, s, 1.0), 4e6 * 0x1p-50);
+  }
+  EXPECT_NEAR(extinction.mean(below, 0.1), extinction.mean(0.0, 0.1), 1e-14);
+}
+
 TEST(ExtinctionIntegral, CurvesOfManyKnots) {
   ExtinctionCurve curve;
   for (int i = 0; i <= 3000; ++i) curve.knots.push_back({i / 3000.0, {}, 1 + std::sin(i * 0.01)});
