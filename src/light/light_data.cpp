@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.h"
 #include "core/parallel.h"
 #include "light/ambient_occlusion.h"
 #include "light/ambient_scattering.h"
@@ -96,7 +95,7 @@ struct LightData::Whole {
     for (const Vec3& g : gradients) largest = std::max(largest, dot(g, g));
     const double per = largest > 0 ? 1 / std::sqrt(largest) : 0;
     for (int axis = 0; axis < 3; ++axis)
-      put(LightPlan::kGradient + axis, [&](std::size_t p) { return gradients[p][axis] * per; });
+      put(plan.gradientAt + axis, [&](std::size_t p) { return gradients[p][axis] * per; });
   }
 
   void putBalls() {
@@ -116,10 +115,7 @@ struct LightData::Whole {
 
 LightData::LightData(const PreparedScene& drawn, const LightPlan& plan, StageTimes& stages)
     : whole_(std::make_unique<Whole>(drawn, plan)) {
-  for (const SceneLight& light : plan.lights)
-    if (light.kind == SceneLight::Kind::directional && !(dot(light.place, light.place) > 0))
-      failInput("a directional light has no direction", "lights", "give it a vector other than 0,0,0");
-  {
+  if (plan.gradientAt >= 0) {
     const ScopedStage timer(stages, "gradients");
     whole_->putGradients();
   }
