@@ -48,6 +48,8 @@ ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& v
   return placed;
 }
 
+bool same(const ViewRays& a, const ViewRays& b) { return a.parallel == b.parallel && a.place == b.place; }
+
 Light asLight(const ViewLight& light) {
   return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
 }
@@ -66,6 +68,7 @@ struct LightData::Whole {
   std::optional<ScatteredLight> scattered;
   std::vector<Light> lights;  ///< that shadows and scattering were made for
   ScatteringData scattering;
+  std::optional<ViewRays> scatteredFor;  ///< the rays that scattered light was made for
   std::size_t version = 1;
 
   Whole(const PreparedScene& part, const LightPlan& lightPlan)
@@ -150,11 +153,13 @@ const std::vector<float>& LightData::rowsFor(const View& view, StageTimes& stage
   if (w.plan.shadowsAt < 0 && w.plan.scatteredAt < 0) return w.rows;
   std::vector<Light> lights;
   for (const ViewLight& light : lightsFor(view)) lights.push_back(asLight(light));
-  const auto same = [](const Light& a, const Light& b) { return a.kind == b.kind && a.place == b.place; };
+  const auto sameLight = [](const Light& a, const Light& b) { return a.kind == b.kind && a.place == b.place; };
   const bool moved =
-      lights.size() != w.lights.size() || !std::equal(lights.begin(), lights.end(), w.lights.begin(), same);
+      lights.size() != w.lights.size() || !std::equal(lights.begin(), lights.end(), w.lights.begin(), sameLight);
   w.lights = lights;
-  if (moved || w.plan.scatteredAt >= 0) ++w.version;
+  const ViewRays rays{view.orthographic, view.orthographic ? view.forward : view.eye};
+  const bool turned = w.plan.scatteredAt >= 0 && !(w.scatteredFor && same(*w.scatteredFor, rays));
+  if (moved || turned) ++w.version;
   if (w.plan.shadowsAt >= 0 && moved) {
     const ScopedStage timer(stages, "shadows");
     for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -162,10 +167,10 @@ const std::vector<float>& LightData::rowsFor(const View& view, StageTimes& stage
       w.put(w.plan.shadowsAt + static_cast<int>(i), [&](std::size_t p) { return shadow[p]; });
     }
   }
-  if (w.plan.scatteredAt < 0) return w.rows;
+  if (w.plan.scatteredAt < 0 || !(moved || turned)) return w.rows;
+  w.scatteredFor = rays;
   const ScopedStage timer(stages, "scattering");
   if (moved) w.scattering = scatteringData(*w.tracer, w.opticalRadius, w.plan.scattering->radius, lights, w.mask);
-  const ViewRays rays{view.orthographic, view.orthographic ? view.forward : view.eye};
   const std::vector<double> light = ambientScattering(w.scattering, lights, *w.scattered, w.scene.points, rays, w.mask);
   w.put(w.plan.scatteredAt, [&](std::size_t p) { return light[p]; });
   return w.rows;
