@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "gl/drawing.h"
 #include "render/devices.h"
 #include "render/lookup_resources.h"
 #include "render/make_renderer.h"
@@ -177,6 +178,18 @@ class EffectCalls : public FramebufferFetch {
 };
 
 TEST_P(EffectCalls, OfTheVolumeAreThoseOfThePlan) { expectOfSubsets(sceneOf("volume"), false, 2); }
+
+TEST_P(EffectCalls, OfAPartOfTheCellsAreThoseOfThePlan) {
+  Scene scene = sceneOf("volume");
+  const TransferFile halfClear(R"({"version": 1, "opacity": "extinction", "unit_length": 1, "points": [
+      {"scalar": 0, "color": [1, 1, 1], "opacity": 0}, {"scalar": 0.5, "color": [1, 1, 1], "opacity": 0},
+      {"scalar": 1, "color": [1, 1, 1], "opacity": 1}]})");
+  scene.transferFunction = halfClear.path();
+  StageTimes stages;
+  const PreparedScene prepared = prepareScene(scene, meshOf(false), stages);
+  ASSERT_TRUE(plan(scene, prepared.facts(), capabilitiesOf(*device_)).leavesOutCells);
+  expectOfSubsets(scene, false);
+}
 
 TEST_P(EffectCalls, OfCellDataAreThoseOfThePlan) { expectOfSubsets(sceneOf("volume"), true); }
 
