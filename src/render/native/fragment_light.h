@@ -28,7 +28,7 @@ struct FragmentLight {
         if (light.shadowsAt >= 0) from = from * row(light.shadowsAt + i);
         sum = sum + Real(light.intensity[i]) * from;
       }
-      sum = sum * A::silhouetteAt(point, light.silhouettes);
+      if (light.silhouettes > 0) sum = sum * A::silhouetteAt(point, light.silhouettes);
     }
     if (light.scatteredAt >= 0) sum = sum + row(light.scatteredAt);
     return sum;
