@@ -9,6 +9,7 @@
 #include "app/table_names.h"
 #include "core/error.h"
 #include "render/devices.h"
+#include "render/effects.h"
 #include "render/lookups.h"
 #include "study/page.h"
 #include "study/study.h"
@@ -21,6 +22,8 @@ constexpr const char* kSize = "512x512";
 constexpr const char* kQuickSize = "256x256";
 constexpr int kQuickRepeat = 3;
 constexpr int kQuickCombinations = 6;
+/// What lit scenes are drawn with by default, so that with and without them nothing else differs.
+constexpr const char* kLookupForEffects = "exact";
 
 struct StudyOptions {
   SceneOptions scene;
@@ -28,13 +31,19 @@ struct StudyOptions {
   std::filesystem::path folder;
   std::optional<int> repeat, combinations;
   int seed = 1, keepMegabytes = 2048;
-  bool quick = false, restart = false, json = false, quiet = false;
+  bool effects = false, quick = false, restart = false, json = false, quiet = false;
 };
 
 std::string axesForHelp() {
   std::vector<std::string> names;
   for (const StudyAxis& row : axes())
     names.push_back(fmt::format("{} ({})", row.name, fmt::join(row.values(false), ",")));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string effectsForHelp() {
+  std::vector<std::string> names;
+  for (const Effect& row : effects()) names.push_back(row.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -89,7 +98,8 @@ Number counted(int value, int least, const char* option) {
 std::vector<Scene> scenesOf(StudyOptions options) {
   if (!options.scene.size) options.scene.size = options.quick ? kQuickSize : kSize;
   if (!options.scene.device) options.scene.device = Scene{}.device;
-  if (!options.scene.lookup && !options.scene.paper) options.scene.lookup = Scene{}.lookup;
+  if (!options.scene.lookup && !options.scene.paper)
+    options.scene.lookup = options.effects ? kLookupForEffects : Scene{}.lookup;
   std::vector<Scene> scenes;
   for (const std::string& mesh : options.meshes) {
     options.scene.mesh = mesh;
@@ -115,7 +125,8 @@ StudyRequest requestOf(const StudyOptions& options, const CLI::App& command) {
   request.identity = commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory"});
   request.scenes = scenesOf(options);
   refuseAutomaticK(request.scenes);
-  request.axes = chooseAxes(options.axes, options.quick);
+  request.effects = options.effects;
+  if (!options.effects || !options.axes.empty()) request.axes = chooseAxes(options.axes, options.quick);
   request.repeat = counted<int>(options.repeat.value_or(options.quick ? kQuickRepeat : request.repeat), 1, "--repeat");
   request.combinations = options.quick ? kQuickCombinations : request.combinations;
   if (options.combinations) request.combinations = counted<std::size_t>(*options.combinations, 0, "--combinations");
@@ -144,6 +155,12 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
                   StudyRequest{}.combinations, kQuickCombinations));
   add("--seed", options.seed, "N", "Of the order in which settings are visited (default 1)");
   add("--keep-memory", options.keepMegabytes, "MB", "Memory for tables and targets kept between visits (default 2048)");
+  command
+      .add_flag("--effects", options.effects,
+                "What each effect costs: the picture with it and without it, each that the options ask for left out in "
+                "turn, and each other added in a default form (" +
+                    effectsForHelp() + "). Alone it replaces the axes, and the lookup is 'exact' by default")
+      ->group(kGroup);
   command.add_flag("--quick", options.quick, "Fewer values, smaller pictures: a minute instead of several")
       ->group(kGroup);
   command.add_flag("--restart", options.restart, "Forget what the folder's runs.jsonl holds")->group(kGroup);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "render/cost_ledger.h"
+#include "render/effects.h"
+#include "study/effect_runs.h"
 #include "study/records_json.h"
 #include "study/study_report.h"
 
@@ -70,6 +73,29 @@ Json asJson(const Spread& spread) {
   return {{"median", spread.median}, {"least", spread.least}, {"most", spread.most}};
 }
 
+Json stagesJson(const RunReport& run) {
+  Json json = Json::object();
+  for (const auto& [stage, milliseconds] : run.stagesMs) json[stage] = milliseconds;
+  return json;
+}
+
+/// What each planned stage took and keeps.
+Json ledgerOf(const RunReport& run) {
+  const auto millisecondsOf = [&](const std::string& stage) {
+    const auto found =
+        std::find_if(run.stagesMs.begin(), run.stagesMs.end(), [&](const auto& one) { return one.first == stage; });
+    return found == run.stagesMs.end() ? 0 : found->second;
+  };
+  Json ledger = Json::array();
+  for (const LedgerStage& row : costLedger(run.quality->plan, millisecondsOf)) {
+    Json items = Json::array();
+    for (const PlanItem* item : row.items)
+      items.push_back({{"kind", nameOf(item->kind)}, {"name", item->name}, {"bytes", item->bytes}});
+    ledger.push_back({{"stage", row.stage}, {"ms", row.milliseconds}, {"bytes", row.bytes}, {"items", items}});
+  }
+  return ledger;
+}
+
 Json asJson(const RunReport& report) {
   Json json{{"id", report.run.id},
             {"subject", report.run.subject},
@@ -90,10 +116,44 @@ Json asJson(const RunReport& report) {
   json["frame_wall_ms"] = asJson(report.wallMs);
   json["frame_cpu_ms"] = asJson(report.cpuMs);
   json["table_ms"] = report.tableMs;
+  json["prepare_ms"] = report.prepareMs;
+  json["stages_ms"] = stagesJson(report);
   json["bytes_per_pixel"] = quality.bytesPerPixel;
+  json["bytes"] = plannedBytes(report);
+  json["ledger"] = ledgerOf(report);
   json["image"] = textOrNull(quality.image);
   json["difference"] = textOrNull(quality.difference);
   json["on_front"] = report.onFront;
+  return json;
+}
+
+std::string descriptionOf(const std::string& effect) {
+  for (const Effect& row : effects())
+    if (row.name == effect) return row.description;
+  return "";
+}
+
+/// A run, and what is said of the baseline beside it.
+Json asJson(const EffectReport& effect) {
+  const RunReport& report = effect.report;
+  Json json = asJson(report);
+  for (const char* key : {"axis", "value", "on_front"}) json.erase(key);
+  json["label"] = effectLabel(report.run);
+  json["effect"] = report.run.effect;
+  json["description"] = descriptionOf(report.run.effect);
+  json["adds"] = report.run.adds;
+  json["also"] = report.run.also;
+  if (!report.failed.empty() || !report.quality) return json;
+  json["reference"] = effect.reference ? textOrNull(effect.reference->image) : Json();
+  json["wall_ratio"] = asJson(effect.wallRatio);
+  json["cpu_ratio"] = asJson(effect.cpuRatio);
+  json["baseline"] = {{"id", effect.baseline.run.id},
+                      {"frame_wall_ms", asJson(effect.baselineWallMs)},
+                      {"frame_cpu_ms", asJson(effect.baselineCpuMs)}};
+  if (!effect.baseline.quality) return json;
+  json["baseline"]["prepare_ms"] = effect.baseline.prepareMs;
+  json["baseline"]["bytes"] = plannedBytes(effect.baseline);
+  json["baseline"]["error"] = toJson(effect.baseline.quality->error);
   return json;
 }
 
@@ -117,38 +177,37 @@ std::string csvField(const Json& value) {
   return "\"" + text + "\"";
 }
 
-/// A JSON object as columns "a.b"; arrays as "1x2".
+/// Numbers as "1x2", texts with semicolons.
+std::string cellOf(const Json& array) {
+  if (array.empty()) return "";
+  const char* const separator = array.at(0).is_string() ? "; " : "x";
+  std::string text;
+  for (const Json& value : array)
+    text += (text.empty() ? "" : separator) + (value.is_string() ? value.get<std::string>() : textOf(value));
+  return text;
+}
+
+/// A JSON object as columns "a.b". Lists of objects are left to study.json.
 void flatten(const Json& json, const std::string& prefix, std::vector<std::pair<std::string, Json>>& columns) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object())
       flatten(value, prefix + key + ".", columns);
+    else if (value.is_array() && !value.empty() && value.at(0).is_object())
+      continue;
     else if (value.is_array())
-      columns.emplace_back(prefix + key, fmt::format("{}x{}", textOf(value.at(0)), textOf(value.at(1))));
+      columns.emplace_back(prefix + key, cellOf(value));
     else
       columns.emplace_back(prefix + key, value);
   }
 }
 
-}  // namespace
-
-std::string studyJson(const StudyReport& report) {
-  Json json{{"version", 1}, {"command", report.command}, {"created", report.created}, {"complete", report.complete}};
-  json["machine"] = asJson(report.machine, report.device);
-  json["subjects"] = listOf(report.subjects, report.references);
-  json["axes"] = listOf(report.axes, report.baseline);
-  json["runs"] = listOf(report.runs);
-  json["fits"] = listOf(report.fits);
-  json["skipped"] = report.skipped;
-  json["effects"] = Json::array();
-  return textOf(json, 2) + "\n";
-}
-
-std::string studyCsv(const StudyReport& report) {
+/// One row an object, with a header; missing values are empty.
+std::string tableOf(const Json& objects) {
   std::vector<std::string> header;
   std::vector<std::map<std::string, std::string>> rows;
-  for (const RunReport& run : report.runs) {
+  for (const Json& object : objects) {
     std::vector<std::pair<std::string, Json>> columns;
-    flatten(asJson(run), "", columns);
+    flatten(object, "", columns);
     auto& row = rows.emplace_back();
     for (const auto& [name, value] : columns) {
       row[name] = csvField(value);
@@ -162,5 +221,23 @@ std::string studyCsv(const StudyReport& report) {
   }
   return text;
 }
+
+}  // namespace
+
+std::string studyJson(const StudyReport& report) {
+  Json json{{"version", 1}, {"command", report.command}, {"created", report.created}, {"complete", report.complete}};
+  json["machine"] = asJson(report.machine, report.device);
+  json["subjects"] = listOf(report.subjects, report.references);
+  json["axes"] = listOf(report.axes, report.baseline);
+  json["runs"] = listOf(report.runs);
+  json["fits"] = listOf(report.fits);
+  json["skipped"] = report.skipped;
+  json["effects"] = listOf(report.effects);
+  return textOf(json, 2) + "\n";
+}
+
+std::string studyCsv(const StudyReport& report) { return tableOf(listOf(report.runs)); }
+
+std::string effectsCsv(const StudyReport& report) { return tableOf(listOf(report.effects)); }
 
 }  // namespace havs

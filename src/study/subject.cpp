@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <cmath>
@@ -22,7 +23,15 @@ namespace havs {
 struct Subject::Made {
   std::unique_ptr<Renderer> renderer;
   RenderPlan plan;
-  double makeMs = 0, tableMs = 0;
+  StageTimes stages;
+  double makeMs = 0;
+};
+
+/// A drawing, and how its renderer was made where that was needed.
+struct Subject::Visited {
+  TimedDrawing timed;
+  Made made;
+  StageTimes firstPicture;  ///< of a renderer just made: one that is not timed comes first
 };
 
 namespace {
@@ -62,6 +71,26 @@ Image differenceOf(const Image& image, const Truth& truth) {
   return differencePicture(image, truth.image, truth.mask, {.colors = presetColors("inferno"), .max = 1.0}).image;
 }
 
+constexpr std::array kOncePrepared{"prepare", "faces"};  ///< stages of prepareScene after reading
+constexpr const char* kReadback = "readback";            ///< not part of a frame
+
+bool has(const StageTimes& stages, const std::string& stage) {
+  const auto all = stages.medians();
+  return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.first == stage; });
+}
+
+/// Adds stages that `later` has not.
+void addStages(StageMilliseconds& to, const StageTimes& stages, const StageTimes& later) {
+  for (const auto& [stage, median] : stages.medians())
+    if (stage != kReadback && !has(later, stage)) to.emplace_back(stage, stages.total(stage));
+}
+
+double sumOf(const StageMilliseconds& stages) {
+  double sum = 0;
+  for (const auto& [stage, milliseconds] : stages) sum += milliseconds;
+  return sum;
+}
+
 /// A lookup without a table to be made: which fragments come late does not depend on it.
 std::string cheapestLookup() {
   for (const Lookup& row : lookups())
@@ -78,9 +107,10 @@ std::string fileNameOf(const std::string& runId) {
   return name;
 }
 
-Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const RenderDevice& device,
-                 std::filesystem::path folder, std::size_t keepBytes)
+Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const StageTimes& preparing,
+                 const RenderDevice& device, std::filesystem::path folder, std::size_t keepBytes)
     : prepared_(prepared),
+      preparing_(preparing),
       device_(device),
       folder_(std::move(folder)),
       record_(describeSubject(std::move(id), baseline, prepared)),
@@ -92,9 +122,7 @@ Subject::Made Subject::make(const Scene& scene) const {
   Made made;
   const auto start = Clock::now();
   made.plan = plan(scene, prepared_.facts(), device_.capabilities);
-  StageTimes stages;
-  made.renderer = makeRenderer(prepared_, made.plan, stages);
-  made.tableMs = stages.total("table");
+  made.renderer = makeRenderer(prepared_, made.plan, made.stages);
   made.makeMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return made;
 }
@@ -115,31 +143,51 @@ std::optional<std::array<std::size_t, 2>> Subject::certificateOf(const Scene& sc
   return found->second;
 }
 
+Subject::Visited Subject::draw(const PlannedRun& run) {
+  Visited visited;
+  const View view = viewOf(run.scene, prepared_);
+  Renderer* renderer = pool_.find(run.id);
+  if (renderer == nullptr) {
+    visited.made = make(run.scene);
+    renderer = visited.made.renderer.get();
+    renderer->draw(view, visited.firstPicture);
+  }
+  visited.timed = drawTimed(*renderer, view);
+  return visited;
+}
+
+FrameTime Subject::time(const PlannedRun& run) {
+  Visited visited = draw(run);
+  Made& made = visited.made;
+  if (made.renderer) pool_.offer(run.id, std::move(made.renderer), bytesOf(made.plan, prepared_), made.makeMs);
+  return {visited.timed.wallMs, visited.timed.cpuMs};
+}
+
 VisitRecord Subject::visit(const PlannedRun& run, int round, bool withQuality) {
   VisitRecord record{.run = run.id, .round = round};
   Image image, difference;
   try {
-    const View view = viewOf(run.scene, prepared_);
-    Made made;
-    Renderer* renderer = pool_.find(run.id);
-    if (renderer == nullptr) {
-      made = make(run.scene);
-      record.tableMs = made.tableMs;
-      renderer = made.renderer.get();
-      StageTimes warmUp;
-      renderer->draw(view, warmUp);
+    Visited visited = draw(run);
+    Made& made = visited.made;
+    record.wallMs = visited.timed.wallMs;
+    record.cpuMs = visited.timed.cpuMs;
+    if (made.renderer) {
+      record.tableMs = made.stages.total("table");
+      for (const char* stage : kOncePrepared) record.stagesMs.emplace_back(stage, preparing_.total(stage));
+      addStages(record.stagesMs, made.stages, visited.timed.stages);
+      addStages(record.stagesMs, visited.firstPicture, visited.timed.stages);
+      record.prepareMs = sumOf(record.stagesMs);
     }
-    TimedDrawing timed = drawTimed(*renderer, view);
-    record.wallMs = timed.wallMs;
-    record.cpuMs = timed.cpuMs;
+    addStages(record.stagesMs, visited.timed.stages, {});
     if (withQuality) {
       const Truth& truth = truths_.of(run.scene);
-      image = std::move(timed.drawing.image);
+      image = std::move(visited.timed.drawing.image);
       Quality& quality = record.quality.emplace();
       quality.error = compareImages(image, truth.image, truth.mask).rgba;
       quality.errorWithMasked = compareImages(image, truth.image).rgba;
       difference = differenceOf(image, truth);
       quality.bytesPerPixel = static_cast<std::size_t>(made.plan.bytesPerPixel);
+      quality.plan = made.plan.items;
       quality.certificate = certificateOf(run.scene);
     }
     if (made.renderer) pool_.offer(run.id, std::move(made.renderer), bytesOf(made.plan, prepared_), made.makeMs);
