@@ -58,7 +58,8 @@ Quality qualityFrom(const Json& json) {
   quality.errorWithMasked = errorFrom(json.at("error_with_masked_pixels"));
   if (!json.at("certificate").is_null()) quality.certificate = json.at("certificate").get<std::array<std::size_t, 2>>();
   quality.bytesPerPixel = json.at("bytes_per_pixel");
-  for (const Json& item : json.at("plan")) quality.plan.push_back(itemFrom(item));
+  const Json plan = json.value("plan", Json::array());
+  for (const Json& item : plan) quality.plan.push_back(itemFrom(item));
   quality.image = json.at("image");
   quality.difference = json.at("difference");
   return quality;
@@ -116,7 +117,8 @@ VisitRecord visitFrom(const Json& json) {
   }
   record.wallMs = json.at("wall_ms");
   record.cpuMs = json.at("cpu_ms");
-  for (const auto& [stage, milliseconds] : json.at("stages_ms").items())
+  const Json stages = json.value("stages_ms", Json::object());
+  for (const auto& [stage, milliseconds] : stages.items())
     record.stagesMs.emplace_back(stage, milliseconds.get<double>());
   if (json.contains("table_ms")) record.tableMs = json.at("table_ms").get<double>();
   if (json.contains("prepare_ms")) record.prepareMs = json.at("prepare_ms").get<double>();

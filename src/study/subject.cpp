@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "image/difference_picture.h"
 #include "reference/edge_mask.h"
+#include "render/effects.h"
 #include "render/make_renderer.h"
 #include "study/axes.h"
 #include "study/fingerprint.h"
@@ -91,11 +92,22 @@ double sumOf(const StageMilliseconds& stages) {
   return sum;
 }
 
-/// A lookup without a table to be made: which fragments come late does not depend on it.
+/// A lookup without a table to be made.
 std::string cheapestLookup() {
   for (const Lookup& row : lookups())
     if (tableOf(row) == nullptr) return exampleName(row);
   return exampleName(lookups().front());
+}
+
+/// The scene with a certificate, and without what costs time but does not change which fragments come late: tables
+/// (but for early termination, which ends pixels by their opacity) and light.
+Scene sceneToCertify(Scene scene) {
+  scene.certificate = true;
+  if (scene.earlyTermination > 0) return scene;
+  scene.lookup = cheapestLookup();
+  for (const Effect& effect : effects())
+    if (effect.light != nullptr && effect.remove != nullptr && effect.wanted(scene)) effect.remove(scene);
+  return scene;
 }
 
 }  // namespace
@@ -128,9 +140,7 @@ Subject::Made Subject::make(const Scene& scene) const {
 }
 
 std::optional<std::array<std::size_t, 2>> Subject::certificateOf(const Scene& scene) {
-  Scene asked = scene;
-  asked.certificate = true;
-  if (scene.earlyTermination == 0) asked.lookup = cheapestLookup();
+  const Scene asked = sceneToCertify(scene);
   const auto [found, isNew] = certificates_.try_emplace(settingsKey(asked), std::nullopt);
   if (isNew) {
     try {
