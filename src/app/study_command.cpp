@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/scene_file.h"
 #include "app/scene_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "render/devices.h"
 #include "render/effects.h"
 #include "render/lookups.h"
+#include "study/fingerprint.h"
 #include "study/page.h"
 #include "study/study.h"
 
@@ -50,7 +52,9 @@ std::string effectsForHelp() {
 /// Options of a scene that a study takes otherwise.
 void replaceSceneOptions(CLI::App& command, StudyOptions& options) {
   for (const char* name : {"INPUT", "--camera", "--repeat"}) command.remove_option(command.get_option(name));
-  command.add_option("INPUT", options.meshes, "Meshes: " + meshExtensions())->required()->type_name("");
+  command.add_option("INPUT", options.meshes, "Meshes: " + meshExtensions() + "; or one scene file: .json")
+      ->required()
+      ->type_name("");
   command
       .add_option("--camera", options.cameras,
                   "AZIMUTH,ELEVATION[,ZOOM] in degrees, a JSON object, or a file with one; may be given several times")
@@ -95,21 +99,40 @@ Number counted(int value, int least, const char* option) {
   return static_cast<Number>(value);
 }
 
-std::vector<Scene> scenesOf(StudyOptions options) {
-  if (!options.scene.size) options.scene.size = options.quick ? kQuickSize : kSize;
-  if (!options.scene.device) options.scene.device = Scene{}.device;
-  if (!options.scene.lookup && !options.scene.paper)
-    options.scene.lookup = options.effects ? kLookupForEffects : Scene{}.lookup;
+/// The options of one INPUT: of a scene file, those that the command line leaves unset are the file's.
+SceneOptions optionsOf(const StudyOptions& options, const std::string& input) {
+  SceneOptions one = options.scene;
+  one.mesh = input;
+  if (isSceneFile(input)) {
+    if (options.meshes.size() > 1)
+      failInput("a scene file is studied by itself", input, "name meshes, or one scene file");
+    std::vector<std::filesystem::path> ignored;
+    readSceneFile(one, ignored, {});
+  }
+  one.repeat.reset();
+  if (!one.size) one.size = options.quick ? kQuickSize : kSize;
+  if (!one.device) one.device = Scene{}.device;
+  if (!one.lookup && !one.paper) one.lookup = options.effects ? kLookupForEffects : Scene{}.lookup;
+  return one;
+}
+
+std::vector<Scene> scenesOf(const StudyOptions& options) {
   std::vector<Scene> scenes;
-  for (const std::string& mesh : options.meshes) {
-    options.scene.mesh = mesh;
-    if (options.cameras.empty()) scenes.push_back(makeScene(options.scene));
+  for (const std::string& input : options.meshes) {
+    SceneOptions one = optionsOf(options, input);
+    if (options.cameras.empty()) scenes.push_back(makeScene(one));
     for (const std::string& camera : options.cameras) {
-      options.scene.camera = camera;
-      scenes.push_back(makeScene(options.scene));
+      one.camera = camera;
+      scenes.push_back(makeScene(one));
     }
   }
   return scenes;
+}
+
+/// A scene file may change between two runs of one command line.
+std::string contentOfSceneFile(const StudyOptions& options) {
+  const std::string& input = options.meshes.front();
+  return isSceneFile(input) ? " # scene " + fingerprintOf(std::filesystem::path(input)) : "";
 }
 
 /// A study's settings are numbers, the same for every mesh and camera.
@@ -122,7 +145,8 @@ StudyRequest requestOf(const StudyOptions& options, const CLI::App& command) {
   const std::vector<std::string> justNow{"--restart", "--json", "--quiet"};
   StudyRequest request;
   request.command = commandLineOf(command, justNow);
-  request.identity = commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory"});
+  request.identity = commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory"}) +
+                     contentOfSceneFile(options);
   request.scenes = scenesOf(options);
   refuseAutomaticK(request.scenes);
   request.effects = options.effects;

@@ -150,6 +150,27 @@ TEST_P(StudyOfOtherEffects, GoBesideAxes) {
   for (const json& run : study["runs"]) EXPECT_FALSE(run["ledger"].empty());
 }
 
+TEST_P(StudyOfOtherEffects, AreThoseOfASceneFile) {
+  const auto write = [&](const json& threshold) {
+    const json scene{{"version", 1},     {"mesh", kMesh},          {"visibility", "cells"},
+                     {"size", {16, 12}}, {"threshold", threshold}, {"device", GetParam()}};
+    folder.write("scene.json", scene.dump());
+  };
+  const std::vector<std::string> arguments{"study", "scene.json", "--out", "out", "--effects", "--repeat", "1"};
+  write({1, 5});
+  const Outcome run = runHavs(arguments, folder.path());
+  ASSERT_EQ(run.status, 0) << run.error;
+  EXPECT_EQ(effectOf(result(), "threshold")["label"], "without threshold");
+  EXPECT_EQ(result()["runs"][0]["settings"]["visibility"], "cells");
+  write({2, 5});
+  const Outcome changed = runHavs(arguments, folder.path());
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_THAT(changed.error, HasSubstr("another command line"));
+  const Outcome two = runHavs({"study", "scene.json", kMesh, "--out", "two", "--effects"}, folder.path());
+  EXPECT_EQ(two.status, 2);
+  EXPECT_THAT(two.error, HasSubstr("scene file is studied by itself"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, StudyOfOtherEffects, testing::Values("osmesa"),
                          [](const auto& test) { return test.param; });
 
