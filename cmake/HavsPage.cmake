@@ -3,7 +3,7 @@
 # The same file, run as a script (cmake -P), joins them; no other tool is needed.
 set(vega_parts util time format loader dataflow expression event-selector statistics scale canvas scenegraph selection
     functions runtime encode transforms view-transforms label view parser interpreter)  # each after what it is built on
-set(page_scripts words study elements plot front tables axes fits run main)              # one scope, in this order
+set(page_scripts words study elements plot front tables axes fits effects run main)              # one scope, in this order
 
 if(CMAKE_SCRIPT_MODE_FILE)
   # Debian carries Vega as one file a part, each a CommonJS module.

@@ -6,10 +6,6 @@ smooth in vec4 lightRow[HAVS_LIGHT_VECTORS];
 smooth in vec3 place;
 
 uniform vec3 forward, viewRight, viewUp;
-uniform vec4 lightPlaces[HAVS_LIGHTS];    // w 1: where the light is; 0: the direction towards it
-uniform float lightIntensities[HAVS_LIGHTS];
-uniform vec4 lightCoefficients;           // ambient, diffuse, specular, silhouettes
-uniform int shininess;
 uniform float modulation;
 
 float lightNumber(int i) { return lightRow[i / 4][i % 4]; }
@@ -22,20 +18,32 @@ Direction directionOf(vec3 v) {
   return d;
 }
 
+#ifdef HAVS_GRADIENT_AT
+vec3 gradientThere() {
+  return vec3(lightNumber(HAVS_GRADIENT_AT), lightNumber(HAVS_GRADIENT_AT + 1), lightNumber(HAVS_GRADIENT_AT + 2));
+}
+#endif
+
+#ifdef HAVS_PHONG
+uniform vec4 lightPlaces[HAVS_LIGHTS];    // w 1: where the light is; 0: the direction towards it
+uniform float lightIntensities[HAVS_LIGHTS];
+uniform vec4 lightCoefficients;           // ambient, diffuse, specular, silhouettes
+uniform int shininess;
+
 vec3 towardsLight(int i) {
   if (lightPlaces[i].w < 0.5) return lightPlaces[i].xyz;
   vec3 way = lightPlaces[i].xyz - place;
   float squared = dot(way, way);
   return squared > 0.0 ? way * (1.0 / sqrt(squared)) : vec3(0.0);
 }
+#endif
 
 // slope: of the pixel's ray, as pixelToRay has it.
 float incomingLight(vec2 slope) {
   float light = 1.0;
 #ifdef HAVS_PHONG
   vec3 ray = forward + slope.x * viewRight + slope.y * viewUp;
-  vec3 gradient = vec3(lightNumber(0), lightNumber(1), lightNumber(2));
-  LitPoint point = litPoint(directionOf(gradient), directionOf(ray * (-1.0 / length(ray))));
+  LitPoint point = litPoint(directionOf(gradientThere()), directionOf(ray * (-1.0 / length(ray))));
   light = lightCoefficients.x;
 #ifdef HAVS_OCCLUSION_AT
   light *= lightNumber(HAVS_OCCLUSION_AT);
@@ -47,7 +55,9 @@ float incomingLight(vec2 slope) {
 #endif
     light += lightIntensities[i] * from;
   }
+#ifdef HAVS_SILHOUETTES
   light *= silhouetteAt(point, lightCoefficients.w);
+#endif
 #endif
 #ifdef HAVS_SCATTERED_AT
   light += lightNumber(HAVS_SCATTERED_AT);
@@ -57,8 +67,7 @@ float incomingLight(vec2 slope) {
 
 float incomingDensity() {
 #ifdef HAVS_MODULATION
-  vec3 gradient = vec3(lightNumber(0), lightNumber(1), lightNumber(2));
-  return (1.0 - modulation) + modulation * min(length(gradient), 1.0);
+  return (1.0 - modulation) + modulation * min(length(gradientThere()), 1.0);
 #else
   return 1.0;
 #endif

@@ -64,7 +64,7 @@ void setClipping(Scene& scene, const SceneOptions& options) {
   for (const std::string& text : options.clipPlanes) scene.clipPlanes.push_back(planeOf(text));
   for (const std::string& text : options.clipBoxes) scene.clipBoxes.push_back(boxOf(text, "--clip-box", true));
   for (const std::string& text : options.cutBoxes) scene.clipBoxes.push_back(boxOf(text, "--cut-box", false));
-  if (options.threshold)
+  if (options.threshold && *options.threshold != "none")
     scene.threshold = numbersOf<2>(*options.threshold, "--threshold", "write LOW,HIGH, such as 0,1.5");
   checkClipping(scene);
 }

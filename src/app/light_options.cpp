@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* kGroup = "Light";
 constexpr const char* kDefault = "default";
+constexpr const char* kNone = "none";
 
 /// A setting's name and where its value goes.
 struct Setting {
@@ -110,6 +111,13 @@ SceneLight lightOf(const std::string& text) {
   return light;
 }
 
+/// What a text asks for; nothing for "none".
+template <class Value>
+void setUnlessNone(std::optional<Value>& value, const std::optional<std::string>& text,
+                   Value (*valueOf)(const std::string& text)) {
+  if (text && *text != kNone) value = valueOf(*text);
+}
+
 void addText(CLI::App& command, const char* name, std::optional<std::string>& value, const std::string& description) {
   command.add_option(name, value, description)->type_name("SETTINGS")->group(kGroup);
 }
@@ -121,7 +129,7 @@ void addLightOptions(CLI::App& command, SceneOptions& options) {
   const AmbientOcclusion occlusion;
   const AmbientScattering scattering;
   addText(command, "--lighting", options.lighting,
-          fmt::format("Light the volume by the gradient of the scalar: 'default', or "
+          fmt::format("Light the volume by the gradient of the scalar: 'default', 'none', or "
                       "ambient={},diffuse={},specular={},shininess={},silhouettes={} or some of these",
                       lighting.ambient, lighting.diffuse, lighting.specular, lighting.shininess, lighting.silhouettes));
   command
@@ -135,10 +143,10 @@ void addLightOptions(CLI::App& command, SceneOptions& options) {
       ->group(kGroup);
   command.add_flag("--shadows", options.shadows, "Lights are dimmed by what they go through")->group(kGroup);
   addText(command, "--occlusion", options.occlusion,
-          fmt::format("Ambient occlusion: 'default', or radius={},directions={}; the radius in bounding radii",
+          fmt::format("Ambient occlusion: 'default', 'none', or radius={},directions={}; the radius in bounding radii",
                       occlusion.radius, occlusion.directions));
   addText(command, "--scattering", options.scattering,
-          fmt::format("Ambient scattering: 'default', or albedo={},anisotropy={},radius={}", scattering.albedo,
+          fmt::format("Ambient scattering: 'default', 'none', or albedo={},anisotropy={},radius={}", scattering.albedo,
                       scattering.anisotropy, scattering.radius));
   command
       .add_option("--modulation", options.modulation,
@@ -149,10 +157,10 @@ void addLightOptions(CLI::App& command, SceneOptions& options) {
 }
 
 void setLight(Scene& scene, const SceneOptions& options) {
-  if (options.lighting) scene.lighting = lightingOf(*options.lighting);
+  setUnlessNone(scene.lighting, options.lighting, lightingOf);
   for (const std::string& text : options.lights) scene.lights.push_back(lightOf(text));
-  if (options.occlusion) scene.occlusion = occlusionOf(*options.occlusion);
-  if (options.scattering) scene.scattering = scatteringOf(*options.scattering);
+  setUnlessNone(scene.occlusion, options.occlusion, occlusionOf);
+  setUnlessNone(scene.scattering, options.scattering, scatteringOf);
   if (options.modulation) scene.modulation = *options.modulation;
   scene.shadows = options.shadows;
 }

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <vector>
+
+#include "render/cost_ledger.h"
 
 namespace havs {
 namespace {
@@ -49,21 +49,13 @@ Json planAsJson(std::span<const PlanItem> items) {
 }
 
 Json ledgerAsJson(std::span<const PlanItem> items, const StageTimes& stages) {
-  std::vector<std::string> names;
-  for (const PlanItem& item : items)
-    if (!item.stage.empty() && std::find(names.begin(), names.end(), item.stage) == names.end())
-      names.push_back(item.stage);
   Json ledger = Json::array();
-  for (const std::string& stage : names) {
+  for (const LedgerStage& row : costLedger(items, [&](const std::string& stage) { return stages.median(stage); })) {
     Json ofStage = Json::array();
-    std::size_t bytes = 0;
-    for (const PlanItem& item : items) {
-      if (item.stage != stage) continue;
-      bytes += item.bytes;
+    for (const PlanItem* item : row.items)
       ofStage.push_back(
-          {{"kind", nameOf(item.kind)}, {"name", item.name}, {"bytes", item.bytes}, {"reason", item.reason}});
-    }
-    ledger.push_back({{"stage", stage}, {"ms", stages.median(stage)}, {"bytes", bytes}, {"items", ofStage}});
+          {{"kind", nameOf(item->kind)}, {"name", item->name}, {"bytes", item->bytes}, {"reason", item->reason}});
+    ledger.push_back({{"stage", row.stage}, {"ms", row.milliseconds}, {"bytes", row.bytes}, {"items", ofStage}});
   }
   return ledger;
 }

@@ -22,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
+constexpr const char* kNone = "none";  ///< null in the file
 
 /// How the value of a text option is written in the file.
 struct Form {
@@ -97,6 +98,13 @@ const Form kSize{"two whole numbers, as [1024, 768]", listSchema("integer", 2),
 const Form kRange{"two numbers, as [0, 1]", listSchema("number", 2),
                   [](const Json& value, const Folder&) { return numbersToText(value, 2, ','); },
                   [](const std::string& text, const Folder&) { return numbersFromText(text, 2, ','); }};
+const Form kRangeOrNone{
+    "two numbers, as [0, 1], or null for none",
+    {{"anyOf", {listSchema("number", 2), {{"type", "null"}}}}},
+    [](const Json& value, const Folder&) {
+      return value.is_null() ? std::optional<std::string>(kNone) : numbersToText(value, 2, ',');
+    },
+    [](const std::string& text, const Folder&) { return text == kNone ? Json() : numbersFromText(text, 2, ','); }};
 
 const Form kSixNumbers{"a list of six numbers, or a list of such lists", listSchema("number", 6),
                        [](const Json& value, const Folder&) { return numbersToText(value, 6, ','); },
@@ -106,10 +114,10 @@ const Form kColor{
     "a name, '#rrggbb', [r, g, b] from 0 to 1, or null for none",
     {{"anyOf", {{{"type", {"string", "null"}}}, listSchema("number", 3)}}},
     [](const Json& value, const Folder&) {
-      if (value.is_null()) return std::optional<std::string>("none");
+      if (value.is_null()) return std::optional<std::string>(kNone);
       return value.is_string() ? std::optional(value.get<std::string>()) : numbersToText(value, 3, ',');
     },
-    [](const std::string& text, const Folder&) { return text == "none" ? Json() : numbersFromText(text, 3, ','); }};
+    [](const std::string& text, const Folder&) { return text == kNone ? Json() : numbersFromText(text, 3, ','); }};
 
 const Form kCamera{"an object with azimuth, elevation and so on",
                    {{"type", {"object", "string"}}},
@@ -138,6 +146,7 @@ const Form kCountOrAuto{"a whole number, or \"auto\"",
 /// "name=value,name=value"
 std::optional<std::string> settingsToText(const Json& value, const Folder&) {
   if (value == "default") return "default";
+  if (value.is_null()) return kNone;
   if (!value.is_object()) return std::nullopt;
   std::string text;
   for (const auto& [name, number] : value.items()) {
@@ -148,6 +157,7 @@ std::optional<std::string> settingsToText(const Json& value, const Folder&) {
 }
 Json settingsFromText(const std::string& text, const Folder&) {
   if (text == "default") return text;
+  if (text == kNone) return {};
   Json object = Json::object();
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, ',');) {
@@ -159,11 +169,13 @@ Json settingsFromText(const std::string& text, const Folder&) {
   }
   return object;
 }
-const Form kSettings{
-    "\"default\", or an object of numbers",
-    {{"anyOf", {{{"const", "default"}}, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}}}}},
-    settingsToText,
-    settingsFromText};
+const Form kSettings{"\"default\", an object of numbers, or null for none",
+                     {{"anyOf",
+                       {{{"const", "default"}},
+                        {{"type", "null"}},
+                        {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}}}}},
+                     settingsToText,
+                     settingsFromText};
 const Form kIsosurface{
     "an object with a value, or a list of such, as {\"value\": 0.5, \"color\": \"red\", \"opacity\": 0.3}",
     isosurfaceSchema(), isosurfaceToText, isosurfaceFromText};
@@ -197,7 +209,7 @@ const std::vector<Key>& keys() {
       {"clip_plane", "--clip-plane", &S::clipPlanes, &kSixNumbers},
       {"clip_box", "--clip-box", &S::clipBoxes, &kSixNumbers},
       {"cut_box", "--cut-box", &S::cutBoxes, &kSixNumbers},
-      {"threshold", "--threshold", &S::threshold, &kRange},
+      {"threshold", "--threshold", &S::threshold, &kRangeOrNone},
       {"lighting", "--lighting", &S::lighting, &kSettings},
       {"light", "--light", &S::lights},
       {"shadows", "--shadows", &S::shadows},

@@ -5,11 +5,14 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/scene_file.h"
 #include "app/scene_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "render/devices.h"
+#include "render/effects.h"
 #include "render/lookups.h"
+#include "study/fingerprint.h"
 #include "study/page.h"
 #include "study/study.h"
 
@@ -21,6 +24,8 @@ constexpr const char* kSize = "512x512";
 constexpr const char* kQuickSize = "256x256";
 constexpr int kQuickRepeat = 3;
 constexpr int kQuickCombinations = 6;
+/// What lit scenes are drawn with by default, so that with and without them nothing else differs.
+constexpr const char* kLookupForEffects = "exact";
 
 struct StudyOptions {
   SceneOptions scene;
@@ -28,7 +33,7 @@ struct StudyOptions {
   std::filesystem::path folder;
   std::optional<int> repeat, combinations;
   int seed = 1, keepMegabytes = 2048;
-  bool quick = false, restart = false, json = false, quiet = false;
+  bool effects = false, quick = false, restart = false, json = false, quiet = false;
 };
 
 std::string axesForHelp() {
@@ -38,10 +43,18 @@ std::string axesForHelp() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::string effectsForHelp() {
+  std::vector<std::string> names;
+  for (const Effect& row : effects()) names.push_back(row.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// Options of a scene that a study takes otherwise.
 void replaceSceneOptions(CLI::App& command, StudyOptions& options) {
   for (const char* name : {"INPUT", "--camera", "--repeat"}) command.remove_option(command.get_option(name));
-  command.add_option("INPUT", options.meshes, "Meshes: " + meshExtensions())->required()->type_name("");
+  command.add_option("INPUT", options.meshes, "Meshes: " + meshExtensions() + "; or one scene file: .json")
+      ->required()
+      ->type_name("");
   command
       .add_option("--camera", options.cameras,
                   "AZIMUTH,ELEVATION[,ZOOM] in degrees, a JSON object, or a file with one; may be given several times")
@@ -86,20 +99,40 @@ Number counted(int value, int least, const char* option) {
   return static_cast<Number>(value);
 }
 
-std::vector<Scene> scenesOf(StudyOptions options) {
-  if (!options.scene.size) options.scene.size = options.quick ? kQuickSize : kSize;
-  if (!options.scene.device) options.scene.device = Scene{}.device;
-  if (!options.scene.lookup && !options.scene.paper) options.scene.lookup = Scene{}.lookup;
+/// The options of one INPUT: of a scene file, those that the command line leaves unset are the file's.
+SceneOptions optionsOf(const StudyOptions& options, const std::string& input) {
+  SceneOptions one = options.scene;
+  one.mesh = input;
+  if (isSceneFile(input)) {
+    if (options.meshes.size() > 1)
+      failInput("a scene file is studied by itself", input, "name meshes, or one scene file");
+    std::vector<std::filesystem::path> ignored;
+    readSceneFile(one, ignored, {});
+  }
+  one.repeat.reset();
+  if (!one.size) one.size = options.quick ? kQuickSize : kSize;
+  if (!one.device) one.device = Scene{}.device;
+  if (!one.lookup && !one.paper) one.lookup = options.effects ? kLookupForEffects : Scene{}.lookup;
+  return one;
+}
+
+std::vector<Scene> scenesOf(const StudyOptions& options) {
   std::vector<Scene> scenes;
-  for (const std::string& mesh : options.meshes) {
-    options.scene.mesh = mesh;
-    if (options.cameras.empty()) scenes.push_back(makeScene(options.scene));
+  for (const std::string& input : options.meshes) {
+    SceneOptions one = optionsOf(options, input);
+    if (options.cameras.empty()) scenes.push_back(makeScene(one));
     for (const std::string& camera : options.cameras) {
-      options.scene.camera = camera;
-      scenes.push_back(makeScene(options.scene));
+      one.camera = camera;
+      scenes.push_back(makeScene(one));
     }
   }
   return scenes;
+}
+
+/// A scene file may change between two runs of one command line.
+std::string contentOfSceneFile(const StudyOptions& options) {
+  const std::string& input = options.meshes.front();
+  return isSceneFile(input) ? " # scene " + fingerprintOf(std::filesystem::path(input)) : "";
 }
 
 /// A study's settings are numbers, the same for every mesh and camera.
@@ -112,10 +145,12 @@ StudyRequest requestOf(const StudyOptions& options, const CLI::App& command) {
   const std::vector<std::string> justNow{"--restart", "--json", "--quiet"};
   StudyRequest request;
   request.command = commandLineOf(command, justNow);
-  request.identity = commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory"});
+  request.identity = commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory"}) +
+                     contentOfSceneFile(options);
   request.scenes = scenesOf(options);
   refuseAutomaticK(request.scenes);
-  request.axes = chooseAxes(options.axes, options.quick);
+  request.effects = options.effects;
+  if (!options.effects || !options.axes.empty()) request.axes = chooseAxes(options.axes, options.quick);
   request.repeat = counted<int>(options.repeat.value_or(options.quick ? kQuickRepeat : request.repeat), 1, "--repeat");
   request.combinations = options.quick ? kQuickCombinations : request.combinations;
   if (options.combinations) request.combinations = counted<std::size_t>(*options.combinations, 0, "--combinations");
@@ -144,6 +179,12 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
                   StudyRequest{}.combinations, kQuickCombinations));
   add("--seed", options.seed, "N", "Of the order in which settings are visited (default 1)");
   add("--keep-memory", options.keepMegabytes, "MB", "Memory for tables and targets kept between visits (default 2048)");
+  command
+      .add_flag("--effects", options.effects,
+                "What each effect costs: the picture with it and without it, each that the options ask for left out in "
+                "turn, and each other added in a default form (" +
+                    effectsForHelp() + "). Alone it replaces the axes, and the lookup is 'exact' by default")
+      ->group(kGroup);
   command.add_flag("--quick", options.quick, "Fewer values, smaller pictures: a minute instead of several")
       ->group(kGroup);
   command.add_flag("--restart", options.restart, "Forget what the folder's runs.jsonl holds")->group(kGroup);

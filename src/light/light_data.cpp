@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.h"
 #include "core/parallel.h"
 #include "light/ambient_occlusion.h"
 #include "light/ambient_scattering.h"
@@ -49,6 +48,8 @@ ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& v
   return placed;
 }
 
+bool same(const ViewRays& a, const ViewRays& b) { return a.parallel == b.parallel && a.place == b.place; }
+
 Light asLight(const ViewLight& light) {
   return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
 }
@@ -67,6 +68,7 @@ struct LightData::Whole {
   std::optional<ScatteredLight> scattered;
   std::vector<Light> lights;  ///< that shadows and scattering were made for
   ScatteringData scattering;
+  std::optional<ViewRays> scatteredFor;  ///< the rays that scattered light was made for
   std::size_t version = 1;
 
   Whole(const PreparedScene& part, const LightPlan& lightPlan)
@@ -96,7 +98,7 @@ struct LightData::Whole {
     for (const Vec3& g : gradients) largest = std::max(largest, dot(g, g));
     const double per = largest > 0 ? 1 / std::sqrt(largest) : 0;
     for (int axis = 0; axis < 3; ++axis)
-      put(LightPlan::kGradient + axis, [&](std::size_t p) { return gradients[p][axis] * per; });
+      put(plan.gradientAt + axis, [&](std::size_t p) { return gradients[p][axis] * per; });
   }
 
   void putBalls() {
@@ -116,10 +118,7 @@ struct LightData::Whole {
 
 LightData::LightData(const PreparedScene& drawn, const LightPlan& plan, StageTimes& stages)
     : whole_(std::make_unique<Whole>(drawn, plan)) {
-  for (const SceneLight& light : plan.lights)
-    if (light.kind == SceneLight::Kind::directional && !(dot(light.place, light.place) > 0))
-      failInput("a directional light has no direction", "lights", "give it a vector other than 0,0,0");
-  {
+  if (plan.gradientAt >= 0) {
     const ScopedStage timer(stages, "gradients");
     whole_->putGradients();
   }
@@ -154,11 +153,13 @@ const std::vector<float>& LightData::rowsFor(const View& view, StageTimes& stage
   if (w.plan.shadowsAt < 0 && w.plan.scatteredAt < 0) return w.rows;
   std::vector<Light> lights;
   for (const ViewLight& light : lightsFor(view)) lights.push_back(asLight(light));
-  const auto same = [](const Light& a, const Light& b) { return a.kind == b.kind && a.place == b.place; };
+  const auto sameLight = [](const Light& a, const Light& b) { return a.kind == b.kind && a.place == b.place; };
   const bool moved =
-      lights.size() != w.lights.size() || !std::equal(lights.begin(), lights.end(), w.lights.begin(), same);
+      lights.size() != w.lights.size() || !std::equal(lights.begin(), lights.end(), w.lights.begin(), sameLight);
   w.lights = lights;
-  if (moved || w.plan.scatteredAt >= 0) ++w.version;
+  const ViewRays rays{view.orthographic, view.orthographic ? view.forward : view.eye};
+  const bool turned = w.plan.scatteredAt >= 0 && !(w.scatteredFor && same(*w.scatteredFor, rays));
+  if (moved || turned) ++w.version;
   if (w.plan.shadowsAt >= 0 && moved) {
     const ScopedStage timer(stages, "shadows");
     for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -166,10 +167,10 @@ const std::vector<float>& LightData::rowsFor(const View& view, StageTimes& stage
       w.put(w.plan.shadowsAt + static_cast<int>(i), [&](std::size_t p) { return shadow[p]; });
     }
   }
-  if (w.plan.scatteredAt < 0) return w.rows;
+  if (w.plan.scatteredAt < 0 || !(moved || turned)) return w.rows;
+  w.scatteredFor = rays;
   const ScopedStage timer(stages, "scattering");
   if (moved) w.scattering = scatteringData(*w.tracer, w.opticalRadius, w.plan.scattering->radius, lights, w.mask);
-  const ViewRays rays{view.orthographic, view.orthographic ? view.forward : view.eye};
   const std::vector<double> light = ambientScattering(w.scattering, lights, *w.scattered, w.scene.points, rays, w.mask);
   w.put(w.plan.scatteredAt, [&](std::size_t p) { return light[p]; });
   return w.rows;

@@ -22,7 +22,7 @@ struct ViewLight {
 class LightData {
  public:
   /// `drawn`: the scene, or the part of it that is drawn; light goes through the whole. Stages timed: gradients,
-  /// tracer, occlusion, scattering_table. Throws Error{input} for lights without a direction.
+  /// tracer, occlusion, scattering_table. Directions of lights are longer than 0.
   LightData(const PreparedScene& drawn, const LightPlan& plan, StageTimes& stages);
   ~LightData();
   LightData(LightData&&) noexcept;

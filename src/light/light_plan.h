@@ -6,8 +6,8 @@
 
 namespace havs {
 
-/// What the light of fragments is made of. Numbers that belong to the mesh's points lie in rows, one row a point: the
-/// gradient as a fraction of the largest, then those that the scene calls for.
+/// What the light of fragments is made of. Numbers that belong to the mesh's points lie in rows, one row a point: those
+/// that the scene calls for.
 struct LightPlan {
   bool lit = false;    ///< fragments carry light at all
   bool phong = false;  ///< ambient, diffuse and specular terms; else only scattered light is added to 1
@@ -18,7 +18,7 @@ struct LightPlan {
   std::optional<AmbientScattering> scattering;
 
   // Places in a row; -1: not there.
-  static constexpr int kGradient = 0;  ///< three numbers
+  int gradientAt = -1;  ///< three numbers, a fraction of the largest gradient
   int occlusionAt = -1;
   int scatteredAt = -1;
   int shadowsAt = -1;  ///< one number a light

@@ -139,7 +139,8 @@ Incident LitRays::incidentAt(const Vec3& place, Index cell, const Vec3& toEye) c
   };
 
   Incident incident;
-  const A::Direction gradient{row(0), row(1), row(2)};
+  A::Direction gradient{0, 0, 0};
+  if (plan_.gradientAt >= 0) gradient = {row(plan_.gradientAt), row(plan_.gradientAt + 1), row(plan_.gradientAt + 2)};
   if (plan_.phong) {
     const Lighting& l = plan_.lighting;
     const A::LitPoint point = A::litPoint(gradient, direction(toEye));

@@ -4,6 +4,7 @@
 
 #include "gl/limits.h"
 #include "reference/reference_renderer.h"
+#include "render/effects.h"
 #include "render/eye_cut_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
@@ -41,7 +42,8 @@ std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const Rend
 }
 
 std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
-  if (isLit(scene)) return makeLitReferenceRenderer(prepared, lightPlanOf(scene), mode(scene.mode).seesVolume);
+  if (const LightPlan light = lightPlanOf(scene); light.lit)
+    return makeLitReferenceRenderer(prepared, light, mode(scene.mode).seesVolume);
   return makeReferenceRenderer(prepared, mode(scene.mode).reference);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "render/effect_parts.h"
 #include "render/effects.h"
 #include "render/native/instruction_sets.h"
 #include "sort/face_order.h"
@@ -18,6 +19,8 @@ constexpr int kSmallestTable = 2;
 /// Most knots in a cell, on the mean, that `exact` is chosen for: measured (docs/07-performance.md, The lookup by
 /// default).
 constexpr double kFewKnots = 2;
+/// Takes the light from knot to knot; others weigh that of a segment's two ends (docs/03-scene.md, Light).
+constexpr const char* kLookupOfLit = "exact";
 
 /// What segments are looked up in, or measured with.
 void planLookup(RenderPlan& result, const Scene& scene, const SceneFacts& facts, const Capabilities& capabilities) {
@@ -47,14 +50,6 @@ std::string orderingOf(const VisibilityMethod& method, const Capabilities& capab
   return *found;
 }
 
-/// Names of the methods for which `property` holds, for messages.
-std::string methodsWith(bool VisibilityMethod::*property) {
-  std::string names;
-  for (const VisibilityMethod& method : visibilityMethods())
-    if (method.*property) names += (names.empty() ? "" : " or ") + method.name;
-  return names;
-}
-
 /// How the method draws on the device.
 const DrawingWay& wayOf(const Mode& mode, const VisibilityMethod& method, const Capabilities& capabilities) {
   if (mode.gathering != Gathering::composite) return capabilities.native ? mode.native : mode.gl;
@@ -73,8 +68,6 @@ void refuseWhatTheModeLacks(const Scene& scene, const Mode& mode) {
   if (!mode.seesVolume && scene.isosurfaces.empty())
     failInput("the mode " + mode.name + " has nothing to show", "--mode", "add --isosurface VALUE");
   if (mode.gathering == Gathering::composite) return;
-  if (isLit(scene))
-    failInput("the mode " + mode.name + " knows no light", "--mode", "leave lighting out, or draw with --mode volume");
   if (scene.earlyTermination > 0)
     failInput("the mode " + mode.name + " composites nothing that could end pixels early", "--early-termination",
               "leave it out");
@@ -85,12 +78,6 @@ void refuseWhatTheMethodLacks(const Scene& scene, const VisibilityMethod& method
     failInput("fragments of the lookup '" + chosen.name + "' carry colours, which the visibility method " +
                   method.name + " does not take",
               "--lookup", "draw with --visibility " + methodsWith(&VisibilityMethod::carriesColors));
-  if (isLit(scene) && chosen.carries == Payload::color)
-    failInput("the lookup '" + chosen.name + "' has fragments carry colours, which cannot be lit", "--lookup",
-              "draw with another one");
-  if (isLit(scene) && !method.carriesLight)
-    failInput("the visibility method " + method.name + " does not draw lit scenes", "--visibility",
-              "draw with --visibility " + methodsWith(&VisibilityMethod::carriesLight));
   if (scene.earlyTermination > 0 && !method.endsPixelsEarly)
     failInput("the visibility method " + method.name + " cannot end pixels early", "--early-termination",
               "leave it out, or draw with --visibility " + methodsWith(&VisibilityMethod::endsPixelsEarly));
@@ -135,6 +122,13 @@ Lookup measureOf(const Mode& shown, const SceneFacts& facts) {
 
 }  // namespace
 
+std::string methodsWith(bool VisibilityMethod::*property) {
+  std::string names;
+  for (const VisibilityMethod& method : visibilityMethods())
+    if (method.*property) names += (names.empty() ? "" : " or ") + method.name;
+  return names;
+}
+
 void checkRange(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most)) {
     auto text = [](double x) {
@@ -162,7 +156,7 @@ int tableSizeOf(const Scene& scene) {
 int entriesPerTarget(Payload carries) { return carries == Payload::scalar ? 2 : 1; }
 
 int largestK(const Scene& scene, const Capabilities& capabilities) {
-  const int perTarget = entriesPerTarget(isLit(scene) ? Payload::lit : lookupOf(scene).carries);
+  const int perTarget = entriesPerTarget(payloadOf(scene));
   const int mostTargets = (visibilityMethod(scene.visibility).maximumK + 1) / 2;  // at two entries each
   return perTarget * std::min(mostTargets, capabilities.maximumDrawBuffers - 1);
 }
@@ -185,7 +179,7 @@ void checkScene(const Scene& scene) {
   for (const Effect& effect : effects())
     if (effect.wanted(scene)) effect.check(scene);
   if (method.maximumK > 0 && !scene.kAuto) checkRange(scene.k, 1, largestK(scene, {}), "k");
-  checkLight(scene);
+  checkLights(scene);
   sortMethod(scene.sort);
   targetFormat(scene.targetFormat);
   if (const LookupResource* table = tableOf(row)) {
@@ -247,7 +241,9 @@ const PlannedProgram& programOf(const RenderPlan& plan, const std::string& role)
 RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities& capabilities) {
   checkScene(asked);
   Scene scene = asked;
-  if (scene.lookup == kAutoLookup) scene.lookup = isLit(scene) ? "exact" : lookupFor(facts.knotsInCells);
+  const Payload carries = payloadOf(scene);
+  if (scene.lookup == kAutoLookup)
+    scene.lookup = carries == Payload::lit ? kLookupOfLit : lookupFor(facts.knotsInCells);
   const Mode& shown = mode(scene.mode);
   RenderPlan result;
   result.mode = shown.name;
@@ -263,7 +259,8 @@ RenderPlan plan(const Scene& asked, const SceneFacts& facts, const Capabilities&
   if (shown.gathering == Gathering::composite) {
     planOrder(result, scene, capabilities);
     result.lookup = lookupOf(scene);
-    planLight(result, scene, facts);
+    result.lookup.carries = carries;
+    result.light = lightPlanOf(scene);
   } else {
     result.lookup = measureOf(shown, facts);
   }

@@ -100,12 +100,6 @@ void checkScene(const Scene& scene);
 std::string lookupFor(double knotsInCells);
 /// Whether to go from knot to knot pays: at most two a cell.
 bool fewKnots(double knotsInCells);
-/// Light: whether fragments carry any, its part of the plan, and of the checks (render/plan_light.cpp).
-bool isLit(const Scene& scene);
-LightPlan lightPlanOf(const Scene& scene);
-void planLight(RenderPlan& plan, const Scene& scene, const SceneFacts& facts);
-void checkLight(const Scene& scene);
-
 /// The row of the scene's lookup; of `auto` one that carries the same. Of a mode that has a lookup of its own, that.
 Lookup lookupOf(const Scene& scene);
 
@@ -124,6 +118,9 @@ int largestK(const Scene& scene, const Capabilities& capabilities);
 /// by default a count of each pixel fits into a storage block of 128 MiB.
 void chooseTile(RenderPlan& plan, const Scene& scene, const Capabilities& capabilities,
                 std::size_t mostPixels = std::size_t{1} << 25);
+
+/// Names of the visibility methods for which `property` holds, for messages.
+std::string methodsWith(bool VisibilityMethod::*property);
 
 /// Throws Error{input} unless least <= value <= most.
 void checkRange(double value, double least, double most, const std::string& name);

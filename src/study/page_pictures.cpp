@@ -23,10 +23,9 @@ std::set<std::string> namesOfPictures(const Json& study) {
   };
   for (const Json& subject : study.value("subjects", Json::array()))
     if (subject.is_object() && subject.contains("reference")) add(subject["reference"], "image");
-  for (const Json& run : study.value("runs", Json::array())) {
-    add(run, "image");
-    add(run, "difference");
-  }
+  for (const char* list : {"runs", "effects"})
+    for (const Json& run : study.value(list, Json::array()))
+      for (const char* key : {"image", "difference", "reference"}) add(run, key);
   return names;
 }
 

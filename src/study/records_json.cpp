@@ -1,5 +1,6 @@
 #include "study/records_json.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,12 +16,37 @@ ErrorMeasures errorFrom(const Json& json) {
           ssim.is_null() ? std::numeric_limits<double>::quiet_NaN() : ssim.get<double>()};
 }
 
+constexpr std::array kKinds{PlanKind::pass,   PlanKind::program, PlanKind::vertexData,
+                            PlanKind::target, PlanKind::table,   PlanKind::precomputation};
+
+Json toJson(const PlanItem& item) {
+  return {{"kind", nameOf(item.kind)}, {"name", item.name}, {"stage", item.stage}, {"bytes", item.bytes}};
+}
+
+PlanItem itemFrom(const Json& json) {
+  PlanItem item;
+  for (const PlanKind kind : kKinds)
+    if (json.at("kind") == nameOf(kind)) item.kind = kind;
+  item.name = json.at("name");
+  item.stage = json.at("stage");
+  item.bytes = json.at("bytes");
+  return item;
+}
+
+Json toJson(const StageMilliseconds& stages) {
+  Json json = Json::object();
+  for (const auto& [stage, milliseconds] : stages) json[stage] = milliseconds;
+  return json;
+}
+
 Json toJson(const Quality& quality) {
   Json json;
   json["error"] = havs::toJson(quality.error);
   json["error_with_masked_pixels"] = havs::toJson(quality.errorWithMasked);
   json["certificate"] = quality.certificate ? Json(*quality.certificate) : Json();
   json["bytes_per_pixel"] = quality.bytesPerPixel;
+  json["plan"] = Json::array();
+  for (const PlanItem& item : quality.plan) json["plan"].push_back(toJson(item));
   json["image"] = quality.image;
   json["difference"] = quality.difference;
   return json;
@@ -32,6 +58,8 @@ Quality qualityFrom(const Json& json) {
   quality.errorWithMasked = errorFrom(json.at("error_with_masked_pixels"));
   if (!json.at("certificate").is_null()) quality.certificate = json.at("certificate").get<std::array<std::size_t, 2>>();
   quality.bytesPerPixel = json.at("bytes_per_pixel");
+  const Json plan = json.value("plan", Json::array());
+  for (const Json& item : plan) quality.plan.push_back(itemFrom(item));
   quality.image = json.at("image");
   quality.difference = json.at("difference");
   return quality;
@@ -49,6 +77,8 @@ std::string nameOf(RunKind kind) {
       return "paper";
     case RunKind::front:
       return "front";
+    case RunKind::effect:
+      return "effect";
   }
   return "";
 }
@@ -69,7 +99,10 @@ Json toJson(const VisitRecord& record) {
   }
   json["wall_ms"] = record.wallMs;
   json["cpu_ms"] = record.cpuMs;
+  json["stages_ms"] = toJson(record.stagesMs);
   if (record.tableMs) json["table_ms"] = *record.tableMs;
+  if (record.prepareMs) json["prepare_ms"] = *record.prepareMs;
+  if (record.baseline) json["baseline"] = {{"wall_ms", record.baseline->wallMs}, {"cpu_ms", record.baseline->cpuMs}};
   if (record.quality) json["quality"] = toJson(*record.quality);
   return json;
 }
@@ -84,7 +117,12 @@ VisitRecord visitFrom(const Json& json) {
   }
   record.wallMs = json.at("wall_ms");
   record.cpuMs = json.at("cpu_ms");
+  const Json stages = json.value("stages_ms", Json::object());
+  for (const auto& [stage, milliseconds] : stages.items())
+    record.stagesMs.emplace_back(stage, milliseconds.get<double>());
   if (json.contains("table_ms")) record.tableMs = json.at("table_ms").get<double>();
+  if (json.contains("prepare_ms")) record.prepareMs = json.at("prepare_ms").get<double>();
+  if (json.contains("baseline")) record.baseline = {json["baseline"].at("wall_ms"), json["baseline"].at("cpu_ms")};
   if (json.contains("quality")) record.quality = qualityFrom(json.at("quality"));
   return record;
 }

@@ -2,7 +2,7 @@
 // Records as JSON, as runs.jsonl and study.json hold them.
 #include <nlohmann/json.hpp>
 
-#include "study/records.h"
+#include "study/study_report.h"
 
 namespace havs {
 
@@ -17,6 +17,10 @@ VisitRecord visitFrom(const nlohmann::ordered_json& json);
 SubjectRecord subjectFrom(const nlohmann::ordered_json& json);
 ReferenceRecord referenceFrom(const nlohmann::ordered_json& json);
 DeviceRecord deviceFrom(const nlohmann::ordered_json& json);
+
+/// The lists of study.json: an object a run, an object an effect.
+nlohmann::ordered_json runsJson(const StudyReport& report);
+nlohmann::ordered_json effectsJson(const StudyReport& report);
 
 /// One line, or `indent` spaces a level; bytes that are not UTF-8 (file names may hold any) are replaced.
 std::string textOf(const nlohmann::ordered_json& json, int indent = -1);

@@ -154,6 +154,12 @@ void StudyStore::add(const ReferenceRecord& record) {
   append(textOf({{"reference", toJson(record)}}));
 }
 
+void StudyStore::addIfNew(const ReferenceRecord& record) {
+  for (const ReferenceRecord& one : records_.references)
+    if (one.subject == record.subject && one.width == record.width && one.height == record.height) return;
+  add(ReferenceRecord(record));
+}
+
 void StudyStore::add(const VisitRecord& record) {
   records_.visits.push_back(record);
   append(textOf({{"visit", toJson(record)}}));

@@ -37,6 +37,8 @@ class StudyStore {
   /// Each keeps the record and appends it. Throws Error{running} (disk full, ...).
   void add(const SubjectRecord& record);
   void add(const ReferenceRecord& record);
+  /// Nothing where there is one of its subject and size.
+  void addIfNew(const ReferenceRecord& record);
   void add(const VisitRecord& record);
   void add(const DeviceRecord& record);
 

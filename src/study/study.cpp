@@ -13,6 +13,8 @@
 #include "core/output_file.h"
 #include "core/parallel.h"
 #include "render/devices.h"
+#include "render/effects.h"
+#include "study/effect_visits.h"
 #include "study/fingerprint.h"
 #include "study/store.h"
 #include "study/subject.h"
@@ -78,10 +80,10 @@ class Study {
     report_.machine = thisMachine();
   }
 
-  /// `prepared`: of scene i.
-  void measure(std::size_t i, const PreparedScene& prepared) {
+  /// `prepared`: of scene i; `preparing`: the stages of that.
+  void measure(std::size_t i, const PreparedScene& prepared, const StageTimes& preparing) {
     const Scene& baseline = request_.scenes[i];
-    Subject subject(ids_[i], baseline, prepared, device_, request_.folder, request_.keepBytes);
+    Subject subject(ids_[i], baseline, prepared, preparing, device_, request_.folder, request_.keepBytes);
     keepSubject(subject.record());
     SweepPlan plan = planSweep(ids_[i], baseline, request_.axes);
     report_.skipped.insert(report_.skipped.end(), plan.skipped.begin(), plan.skipped.end());
@@ -91,6 +93,7 @@ class Study {
     visitAll(subject, combined, 0);
     plan.runs.insert(plan.runs.end(), combined.begin(), combined.end());
     for (int round = 1; round < request_.repeat; ++round) visitAll(subject, plan.runs, round);
+    if (request_.effects) visitEffects({ids_[i], plan.runs.front(), subject}, prepared);
     runs_.insert(runs_.end(), plan.runs.begin(), plan.runs.end());
   }
 
@@ -102,8 +105,10 @@ class Study {
     report_.references = records.references;
     report_.runs = summarise(runs_, records);
     report_.fits = fitRuns(report_.runs);
+    report_.effects = summariseEffects(effectRuns_, report_.runs, records);
     writeWhole("study.json", studyJson(report_));
     writeWhole("study.csv", studyCsv(report_));
+    if (request_.effects) writeWhole("effects.csv", effectsCsv(report_));
     return report_;
   }
 
@@ -126,7 +131,8 @@ class Study {
 
   /// The visits of all subjects, if all are like this one.
   void expectVisits(std::size_t i, std::size_t runs) {
-    const std::size_t one = (runs + request_.combinations) * static_cast<std::size_t>(request_.repeat);
+    const std::size_t ofEffects = request_.effects ? effects().size() : 0;
+    const std::size_t one = (runs + request_.combinations + ofEffects) * static_cast<std::size_t>(request_.repeat);
     clock_.expect(one * (request_.scenes.size() - i) + visitsBefore_);
     visitsBefore_ += one;
   }
@@ -148,6 +154,14 @@ class Study {
     for (const PlannedRun* run : order) visit(subject, *run, round);
   }
 
+  void visitEffects(const EffectSubject& baseline, const PreparedScene& prepared) {
+    const EffectData data{prepared.curve.domain, prepared.frame.center};
+    const SweepPlan effects = measureEffects(request_, baseline, data, device_, store_,
+                                             [&](bool measured) { measured ? clock_.measured() : clock_.stored(); });
+    report_.skipped.insert(report_.skipped.end(), effects.skipped.begin(), effects.skipped.end());
+    effectRuns_.insert(effectRuns_.end(), effects.runs.begin(), effects.runs.end());
+  }
+
   void visit(Subject& subject, const PlannedRun& run, int round) {
     bool done = false, before = false;
     for (const VisitRecord& visit : store_.records().visits)
@@ -160,19 +174,9 @@ class Study {
       return;
     }
     const VisitRecord record = subject.visit(run, round, !before);
-    keepReferences(subject);
+    for (const ReferenceRecord& reference : subject.references()) store_.addIfNew(reference);
     store_.add(record);
     clock_.measured();
-  }
-
-  void keepReferences(const Subject& subject) {
-    const auto& stored = store_.records().references;
-    for (const ReferenceRecord& reference : subject.references()) {
-      const bool known = std::any_of(stored.begin(), stored.end(), [&](const ReferenceRecord& one) {
-        return one.subject == reference.subject && one.width == reference.width && one.height == reference.height;
-      });
-      if (!known) store_.add(ReferenceRecord(reference));
-    }
   }
 
   const StudyRequest& request_;
@@ -181,7 +185,7 @@ class Study {
   std::vector<std::string> ids_;
   StudyClock clock_;
   std::size_t visitsBefore_ = 0;
-  std::vector<PlannedRun> runs_;
+  std::vector<PlannedRun> runs_, effectRuns_;
   StudyReport report_;
 };
 
@@ -203,9 +207,10 @@ StudyReport runStudy(const StudyRequest& request, const Progress& progress) {
   for (std::size_t i = 0; i < request.scenes.size(); ++i) {
     if (i > 0 && !sameMesh(request.scenes[i], request.scenes[i - 1])) {
       prepared = {};
+      stages = {};
       prepared = prepareScene(request.scenes[i], stages);
     }
-    study.measure(i, prepared);
+    study.measure(i, prepared, stages);
     if (i + 1 < request.scenes.size()) study.write(false);
   }
   StudyReport report = study.write(true);

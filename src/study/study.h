@@ -16,6 +16,7 @@ struct StudyRequest {
   std::string identity;       ///< of it what decides what is measured: a stored study goes on only with the same
   std::vector<Scene> scenes;  ///< the baseline settings on each mesh and camera; method, size, threads the same in all
   std::vector<AxisChoice> axes;
+  bool effects = false;                          ///< each effect on against off (study/effect_runs.h)
   int repeat = 5;                                ///< timed drawings of each run
   std::uint64_t seed = 1;                        ///< of the order in which runs are visited
   std::size_t combinations = 24;                 ///< at most, of each subject

@@ -1,8 +1,11 @@
-// study.json and study.csv.
+// study.json.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "render/cost_ledger.h"
+#include "render/effects.h"
+#include "study/effect_runs.h"
 #include "study/records_json.h"
 #include "study/study_report.h"
 
@@ -70,6 +73,29 @@ Json asJson(const Spread& spread) {
   return {{"median", spread.median}, {"least", spread.least}, {"most", spread.most}};
 }
 
+Json stagesJson(const RunReport& run) {
+  Json json = Json::object();
+  for (const auto& [stage, milliseconds] : run.stagesMs) json[stage] = milliseconds;
+  return json;
+}
+
+/// What each planned stage took and keeps.
+Json ledgerOf(const RunReport& run) {
+  const auto millisecondsOf = [&](const std::string& stage) {
+    const auto found =
+        std::find_if(run.stagesMs.begin(), run.stagesMs.end(), [&](const auto& one) { return one.first == stage; });
+    return found == run.stagesMs.end() ? 0 : found->second;
+  };
+  Json ledger = Json::array();
+  for (const LedgerStage& row : costLedger(run.quality->plan, millisecondsOf)) {
+    Json items = Json::array();
+    for (const PlanItem* item : row.items)
+      items.push_back({{"kind", nameOf(item->kind)}, {"name", item->name}, {"bytes", item->bytes}});
+    ledger.push_back({{"stage", row.stage}, {"ms", row.milliseconds}, {"bytes", row.bytes}, {"items", items}});
+  }
+  return ledger;
+}
+
 Json asJson(const RunReport& report) {
   Json json{{"id", report.run.id},
             {"subject", report.run.subject},
@@ -90,10 +116,44 @@ Json asJson(const RunReport& report) {
   json["frame_wall_ms"] = asJson(report.wallMs);
   json["frame_cpu_ms"] = asJson(report.cpuMs);
   json["table_ms"] = report.tableMs;
+  json["prepare_ms"] = report.prepareMs;
+  json["stages_ms"] = stagesJson(report);
   json["bytes_per_pixel"] = quality.bytesPerPixel;
+  json["bytes"] = plannedBytes(report);
+  json["ledger"] = ledgerOf(report);
   json["image"] = textOrNull(quality.image);
   json["difference"] = textOrNull(quality.difference);
   json["on_front"] = report.onFront;
+  return json;
+}
+
+std::string descriptionOf(const std::string& effect) {
+  for (const Effect& row : effects())
+    if (row.name == effect) return row.description;
+  return "";
+}
+
+/// A run, and what is said of the baseline beside it.
+Json asJson(const EffectReport& effect) {
+  const RunReport& report = effect.report;
+  Json json = asJson(report);
+  for (const char* key : {"axis", "value", "on_front"}) json.erase(key);
+  json["label"] = effectLabel(report.run);
+  json["effect"] = report.run.effect;
+  json["description"] = descriptionOf(report.run.effect);
+  json["adds"] = report.run.adds;
+  json["also"] = report.run.also;
+  if (!report.failed.empty() || !report.quality) return json;
+  json["reference"] = effect.reference ? textOrNull(effect.reference->image) : Json();
+  json["wall_ratio"] = asJson(effect.wallRatio);
+  json["cpu_ratio"] = asJson(effect.cpuRatio);
+  json["baseline"] = {{"id", effect.baseline.run.id},
+                      {"frame_wall_ms", asJson(effect.baselineWallMs)},
+                      {"frame_cpu_ms", asJson(effect.baselineCpuMs)}};
+  if (!effect.baseline.quality) return json;
+  json["baseline"]["prepare_ms"] = effect.baseline.prepareMs;
+  json["baseline"]["bytes"] = plannedBytes(effect.baseline);
+  json["baseline"]["error"] = toJson(effect.baseline.quality->error);
   return json;
 }
 
@@ -110,25 +170,6 @@ Json listOf(const Rows& rows, const More&... more) {
   return list;
 }
 
-std::string csvField(const Json& value) {
-  std::string text = value.is_string() ? value.get<std::string>() : value.is_null() ? "" : textOf(value);
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  for (std::size_t i = 0; (i = text.find('"', i)) != std::string::npos; i += 2) text.insert(i, "\"");
-  return "\"" + text + "\"";
-}
-
-/// A JSON object as columns "a.b"; arrays as "1x2".
-void flatten(const Json& json, const std::string& prefix, std::vector<std::pair<std::string, Json>>& columns) {
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_object())
-      flatten(value, prefix + key + ".", columns);
-    else if (value.is_array())
-      columns.emplace_back(prefix + key, fmt::format("{}x{}", textOf(value.at(0)), textOf(value.at(1))));
-    else
-      columns.emplace_back(prefix + key, value);
-  }
-}
-
 }  // namespace
 
 std::string studyJson(const StudyReport& report) {
@@ -136,31 +177,15 @@ std::string studyJson(const StudyReport& report) {
   json["machine"] = asJson(report.machine, report.device);
   json["subjects"] = listOf(report.subjects, report.references);
   json["axes"] = listOf(report.axes, report.baseline);
-  json["runs"] = listOf(report.runs);
+  json["runs"] = runsJson(report);
   json["fits"] = listOf(report.fits);
   json["skipped"] = report.skipped;
-  json["effects"] = Json::array();
+  json["effects"] = effectsJson(report);
   return textOf(json, 2) + "\n";
 }
 
-std::string studyCsv(const StudyReport& report) {
-  std::vector<std::string> header;
-  std::vector<std::map<std::string, std::string>> rows;
-  for (const RunReport& run : report.runs) {
-    std::vector<std::pair<std::string, Json>> columns;
-    flatten(asJson(run), "", columns);
-    auto& row = rows.emplace_back();
-    for (const auto& [name, value] : columns) {
-      row[name] = csvField(value);
-      if (std::find(header.begin(), header.end(), name) == header.end()) header.push_back(name);
-    }
-  }
-  std::string text = fmt::format("{}\n", fmt::join(header, ","));
-  for (auto& row : rows) {
-    for (std::size_t i = 0; i < header.size(); ++i) text += (i > 0 ? "," : "") + row[header[i]];
-    text += "\n";
-  }
-  return text;
-}
+nlohmann::ordered_json runsJson(const StudyReport& report) { return listOf(report.runs); }
+
+nlohmann::ordered_json effectsJson(const StudyReport& report) { return listOf(report.effects); }
 
 }  // namespace havs

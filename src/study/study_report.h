@@ -22,10 +22,21 @@ struct RunReport {
   PlannedRun run;
   std::optional<Quality> quality;  ///< none: not measured (yet), or failed
   int repetitions = 0;
-  Spread wallMs, cpuMs;  ///< of a frame
-  double tableMs = 0;    ///< to make the table; median
+  Spread wallMs, cpuMs;        ///< of a frame
+  double prepareMs = 0;        ///< VisitRecord::prepareMs; median
+  StageMilliseconds stagesMs;  ///< VisitRecord::stagesMs; medians
+  double tableMs = 0;          ///< to make the table; median
   bool onFront = false;  ///< of its subject, by median wall time and 99.9th percentile, among pictures of one size
   std::string failed;    ///< why
+};
+
+/// A run of an effect beside the baseline.
+struct EffectReport {
+  RunReport report;
+  RunReport baseline;                        ///< of the same subject
+  std::optional<ReferenceRecord> reference;  ///< the ground truth with the change
+  Spread baselineWallMs, baselineCpuMs;      ///< of the frames drawn beside it
+  Spread wallRatio, cpuRatio;                ///< of a frame with the effect to one without, of each visit
 };
 
 /// How the error falls with the size of a table, or with the samples of a segment.
@@ -47,18 +58,28 @@ struct StudyReport {
   Scene baseline;  ///< of the first subject
   std::vector<RunReport> runs;
   std::vector<FitReport> fits;
+  std::vector<EffectReport> effects;
   std::vector<std::string> skipped;  ///< what was not measured, and why
 };
 
 /// The runs with what the records say of them, their fronts and their fits.
 std::vector<RunReport> summarise(const std::vector<PlannedRun>& runs, const StudyRecords& records);
 std::vector<FitReport> fitRuns(const std::vector<RunReport>& runs);
+/// `effects`: runs of effects; `runs`: the others.
+std::vector<EffectReport> summariseEffects(const std::vector<PlannedRun>& effects, const std::vector<RunReport>& runs,
+                                           const StudyRecords& records);
+/// What the run's plan keeps, as foreseen.
+std::size_t plannedBytes(const RunReport& run);
 
 /// study.json, docs/01-start.md.
 std::string studyJson(const StudyReport& report);
 /// One row a run, with a header; missing values are empty.
 std::string studyCsv(const StudyReport& report);
-/// The fronts as tables, the fits, what failed and what was skipped, for people.
+/// One row an effect, with a header, as studyCsv.
+std::string effectsCsv(const StudyReport& report);
+/// What each effect of a subject costs: one row an effect; empty where none was measured.
+std::string effectsText(const StudyReport& report, const std::string& subject);
+/// The fronts as tables, what effects cost, the fits, what failed and what was skipped, for people.
 std::string studyText(const StudyReport& report);
 
 }  // namespace havs

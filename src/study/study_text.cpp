@@ -46,7 +46,7 @@ std::string frontOf(const StudyReport& report, const SubjectRecord& subject) {
 std::string studyText(const StudyReport& report) {
   std::string text;
   for (const SubjectRecord& subject : report.subjects) {
-    text += describe(subject, report.references) + frontOf(report, subject);
+    text += describe(subject, report.references) + frontOf(report, subject) + effectsText(report, subject.id);
     for (const FitReport& fit : report.fits)
       if (fit.subject == subject.id)
         text += fmt::format("  order of accuracy: {} {}: {:.2f} ({} over {:g} to {:g})\n", fit.lookup, fit.axis,
@@ -54,6 +54,9 @@ std::string studyText(const StudyReport& report) {
   }
   for (const RunReport& run : report.runs)
     if (!run.failed.empty()) text += fmt::format("failed: {}: {}\n", run.run.id, run.failed);
+  for (const EffectReport& effect : report.effects)
+    if (!effect.report.failed.empty())
+      text += fmt::format("failed: {}: {}\n", effect.report.run.id, effect.report.failed);
   for (const std::string& reason : report.skipped) text += fmt::format("skipped: {}\n", reason);
   return text;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "core/error.h"
 #include "image/difference_picture.h"
 #include "reference/edge_mask.h"
+#include "render/effects.h"
 #include "render/make_renderer.h"
 #include "study/axes.h"
 #include "study/fingerprint.h"
@@ -22,7 +24,15 @@ namespace havs {
 struct Subject::Made {
   std::unique_ptr<Renderer> renderer;
   RenderPlan plan;
-  double makeMs = 0, tableMs = 0;
+  StageTimes stages;
+  double makeMs = 0;
+};
+
+/// A drawing, and how its renderer was made where that was needed.
+struct Subject::Visited {
+  TimedDrawing timed;
+  Made made;
+  StageTimes firstPicture;  ///< of a renderer just made: one that is not timed comes first
 };
 
 namespace {
@@ -62,11 +72,42 @@ Image differenceOf(const Image& image, const Truth& truth) {
   return differencePicture(image, truth.image, truth.mask, {.colors = presetColors("inferno"), .max = 1.0}).image;
 }
 
-/// A lookup without a table to be made: which fragments come late does not depend on it.
+constexpr std::array kOncePrepared{"prepare", "faces"};  ///< stages of prepareScene after reading
+constexpr const char* kReadback = "readback";            ///< not part of a frame
+
+bool has(const StageTimes& stages, const std::string& stage) {
+  const auto all = stages.medians();
+  return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.first == stage; });
+}
+
+/// Adds stages that `later` has not.
+void addStages(StageMilliseconds& to, const StageTimes& stages, const StageTimes& later) {
+  for (const auto& [stage, median] : stages.medians())
+    if (stage != kReadback && !has(later, stage)) to.emplace_back(stage, stages.total(stage));
+}
+
+double sumOf(const StageMilliseconds& stages) {
+  double sum = 0;
+  for (const auto& [stage, milliseconds] : stages) sum += milliseconds;
+  return sum;
+}
+
+/// A lookup without a table to be made.
 std::string cheapestLookup() {
   for (const Lookup& row : lookups())
     if (tableOf(row) == nullptr) return exampleName(row);
   return exampleName(lookups().front());
+}
+
+/// The scene with a certificate, and without what costs time but does not change which fragments come late: tables
+/// (but for early termination, which ends pixels by their opacity) and light.
+Scene sceneToCertify(Scene scene) {
+  scene.certificate = true;
+  if (scene.earlyTermination > 0) return scene;
+  scene.lookup = cheapestLookup();
+  for (const Effect& effect : effects())
+    if (effect.light != nullptr && effect.remove != nullptr && effect.wanted(scene)) effect.remove(scene);
+  return scene;
 }
 
 }  // namespace
@@ -78,9 +119,10 @@ std::string fileNameOf(const std::string& runId) {
   return name;
 }
 
-Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const RenderDevice& device,
-                 std::filesystem::path folder, std::size_t keepBytes)
+Subject::Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const StageTimes& preparing,
+                 const RenderDevice& device, std::filesystem::path folder, std::size_t keepBytes)
     : prepared_(prepared),
+      preparing_(preparing),
       device_(device),
       folder_(std::move(folder)),
       record_(describeSubject(std::move(id), baseline, prepared)),
@@ -92,17 +134,13 @@ Subject::Made Subject::make(const Scene& scene) const {
   Made made;
   const auto start = Clock::now();
   made.plan = plan(scene, prepared_.facts(), device_.capabilities);
-  StageTimes stages;
-  made.renderer = makeRenderer(prepared_, made.plan, stages);
-  made.tableMs = stages.total("table");
+  made.renderer = makeRenderer(prepared_, made.plan, made.stages);
   made.makeMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return made;
 }
 
 std::optional<std::array<std::size_t, 2>> Subject::certificateOf(const Scene& scene) {
-  Scene asked = scene;
-  asked.certificate = true;
-  if (scene.earlyTermination == 0) asked.lookup = cheapestLookup();
+  const Scene asked = sceneToCertify(scene);
   const auto [found, isNew] = certificates_.try_emplace(settingsKey(asked), std::nullopt);
   if (isNew) {
     try {
@@ -115,31 +153,51 @@ std::optional<std::array<std::size_t, 2>> Subject::certificateOf(const Scene& sc
   return found->second;
 }
 
+Subject::Visited Subject::draw(const PlannedRun& run) {
+  Visited visited;
+  const View view = viewOf(run.scene, prepared_);
+  Renderer* renderer = pool_.find(run.id);
+  if (renderer == nullptr) {
+    visited.made = make(run.scene);
+    renderer = visited.made.renderer.get();
+    renderer->draw(view, visited.firstPicture);
+  }
+  visited.timed = drawTimed(*renderer, view);
+  return visited;
+}
+
+FrameTime Subject::time(const PlannedRun& run) {
+  Visited visited = draw(run);
+  Made& made = visited.made;
+  if (made.renderer) pool_.offer(run.id, std::move(made.renderer), bytesOf(made.plan, prepared_), made.makeMs);
+  return {visited.timed.wallMs, visited.timed.cpuMs};
+}
+
 VisitRecord Subject::visit(const PlannedRun& run, int round, bool withQuality) {
   VisitRecord record{.run = run.id, .round = round};
   Image image, difference;
   try {
-    const View view = viewOf(run.scene, prepared_);
-    Made made;
-    Renderer* renderer = pool_.find(run.id);
-    if (renderer == nullptr) {
-      made = make(run.scene);
-      record.tableMs = made.tableMs;
-      renderer = made.renderer.get();
-      StageTimes warmUp;
-      renderer->draw(view, warmUp);
+    Visited visited = draw(run);
+    Made& made = visited.made;
+    record.wallMs = visited.timed.wallMs;
+    record.cpuMs = visited.timed.cpuMs;
+    if (made.renderer) {
+      record.tableMs = made.stages.total("table");
+      for (const char* stage : kOncePrepared) record.stagesMs.emplace_back(stage, preparing_.total(stage));
+      addStages(record.stagesMs, made.stages, visited.timed.stages);
+      addStages(record.stagesMs, visited.firstPicture, visited.timed.stages);
+      record.prepareMs = sumOf(record.stagesMs);
     }
-    TimedDrawing timed = drawTimed(*renderer, view);
-    record.wallMs = timed.wallMs;
-    record.cpuMs = timed.cpuMs;
+    addStages(record.stagesMs, visited.timed.stages, {});
     if (withQuality) {
       const Truth& truth = truths_.of(run.scene);
-      image = std::move(timed.drawing.image);
+      image = std::move(visited.timed.drawing.image);
       Quality& quality = record.quality.emplace();
       quality.error = compareImages(image, truth.image, truth.mask).rgba;
       quality.errorWithMasked = compareImages(image, truth.image).rgba;
       difference = differenceOf(image, truth);
       quality.bytesPerPixel = static_cast<std::size_t>(made.plan.bytesPerPixel);
+      quality.plan = made.plan.items;
       quality.certificate = certificateOf(run.scene);
     }
     if (made.renderer) pool_.offer(run.id, std::move(made.renderer), bytesOf(made.plan, prepared_), made.makeMs);

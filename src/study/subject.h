@@ -18,8 +18,9 @@ class Subject {
  public:
   /// `folder`: of the study; pictures go to images/ in it. `keepBytes`: memory for renderers kept between visits.
   /// Throws Error{input} for a camera that cannot be used.
-  Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const RenderDevice& device,
-          std::filesystem::path folder, std::size_t keepBytes);
+  /// `preparing`: stages of prepareScene.
+  Subject(std::string id, const Scene& baseline, const PreparedScene& prepared, const StageTimes& preparing,
+          const RenderDevice& device, std::filesystem::path folder, std::size_t keepBytes);
 
   const SubjectRecord& record() const { return record_; }
 
@@ -28,15 +29,21 @@ class Subject {
   /// drawing throws becomes VisitRecord::failed. Throws Error{running} when a picture cannot be written.
   VisitRecord visit(const PlannedRun& run, int round, bool withQuality);
 
+  /// Only draws and times it, as visit does. Throws what the drawing throws.
+  FrameTime time(const PlannedRun& run);
+
   /// The references drawn so far.
   const std::vector<ReferenceRecord>& references() const { return truths_.records(); }
 
  private:
   struct Made;
+  struct Visited;
   Made make(const Scene& scene) const;
+  Visited draw(const PlannedRun& run);
   std::optional<std::array<std::size_t, 2>> certificateOf(const Scene& scene);
 
   const PreparedScene& prepared_;
+  StageTimes preparing_;
   const RenderDevice& device_;
   std::filesystem::path folder_;
   SubjectRecord record_;

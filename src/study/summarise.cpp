@@ -13,6 +13,21 @@
 namespace havs {
 namespace {
 
+/// Medians of each stage over the visits in which it ran.
+StageMilliseconds stagesOf(const std::vector<VisitRecord>& visits, const std::string& run) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<double>> values;
+  for (const VisitRecord& visit : visits)
+    if (visit.run == run)
+      for (const auto& [stage, milliseconds] : visit.stagesMs) {
+        if (!values.contains(stage)) order.push_back(stage);
+        values[stage].push_back(milliseconds);
+      }
+  StageMilliseconds medians;
+  for (const std::string& stage : order) medians.emplace_back(stage, medianOf(values[stage]));
+  return medians;
+}
+
 Spread spreadOf(const std::vector<double>& values) {
   if (values.empty()) return {};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -20,7 +35,7 @@ Spread spreadOf(const std::vector<double>& values) {
 }
 
 struct Measured {
-  std::vector<double> wall, cpu, table;
+  std::vector<double> wall, cpu, table, prepare;
   std::optional<Quality> quality;
   std::string failed;
 };
@@ -36,6 +51,7 @@ std::map<std::string, Measured> byRun(const StudyRecords& records) {
     one.wall.push_back(visit.wallMs);
     one.cpu.push_back(visit.cpuMs);
     if (visit.tableMs) one.table.push_back(*visit.tableMs);
+    if (visit.prepareMs) one.prepare.push_back(*visit.prepareMs);
     if (visit.quality) one.quality = visit.quality;
   }
   return all;
@@ -140,6 +156,8 @@ std::vector<RunReport> summarise(const std::vector<PlannedRun>& runs, const Stud
     report.wallMs = spreadOf(one.wall);
     report.cpuMs = spreadOf(one.cpu);
     report.tableMs = spreadOf(one.table).median;
+    report.prepareMs = spreadOf(one.prepare).median;
+    report.stagesMs = stagesOf(records.visits, run.id);
   }
   markFronts(reports);
   return reports;

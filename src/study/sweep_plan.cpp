@@ -149,7 +149,7 @@ SweepPlan planSweep(const std::string& subject, const Scene& baseline, std::span
   runs.add(RunKind::baseline, "baseline", baseline);
   Scene paper = baseline;
   applyPaperPreset(paper);
-  runs.add(RunKind::paper, "paper", paper);
+  if (!choices.empty()) runs.add(RunKind::paper, "paper", paper);
   // First what isolates an axis, so that a setting met twice is told as a value of that one.
   for (const bool across : {false, true})
     for (const AxisChoice& choice : choices)

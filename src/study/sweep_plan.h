@@ -16,7 +16,8 @@ struct SweepPlan {
   std::vector<std::string> skipped;
 };
 
-/// The baseline, the paper's own choice, and each value of each axis with all other settings as in the baseline
+/// The baseline, the paper's own choice where there are axes, and each value of each axis with all other settings as in
+/// the baseline
 /// (`table` also with each value of `lookup` that reads a table, where both are chosen). Values without effect, and
 /// scenes that checkScene refuses, are skipped.
 SweepPlan planSweep(const std::string& subject, const Scene& baseline, std::span<const AxisChoice> choices);

@@ -8,7 +8,7 @@ namespace havs {
 
 TimedDrawing drawTimed(Renderer& renderer, const View& view) {
   TimedDrawing result;
-  StageTimes stages;
+  StageTimes& stages = result.stages;
   const double before = cpuSeconds();
   result.drawing = renderer.draw(view, stages);
   const double cpu = 1e3 * (cpuSeconds() - before);

@@ -252,6 +252,7 @@ Json writeStudyFixture(const fs::path& folder) {
                                  {"masked_pixels", 12},
                                  {"reference", {{"image", reference}, {"wall_ms", 2345.0}, {"cpu_ms", 4567.0}}}});
     addRuns(subject, folder, study["runs"]);
+    for (const Json& effect : effectsFixture(study["runs"], subject.id)) study["effects"].push_back(effect);
     for (const Json& fit : fits(subject.id)) study["fits"].push_back(fit);
   }
   std::ofstream(folder / "study.json") << study.dump(1);

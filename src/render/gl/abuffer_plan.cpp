@@ -32,6 +32,8 @@ void planABuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, 
                              static_cast<std::size_t>(std::min(plan.tileHeight, scene.height));
   addItem(plan, PlanKind::target, "colour, counts, ends of lists", "draw", "lists of known length",
           static_cast<std::size_t>(plan.bytesPerPixel), "pixel", pixels);
+  addItem(plan, PlanKind::target, "lists of fragments", "draw", "as many as are counted, in tiles of 256 MiB at most",
+          kBytesPerFragment, "fragment", 0);
   addItem(plan, PlanKind::pass, "count the fragments", "draw", "the visibility method abuffer keeps them all");
   addItem(plan, PlanKind::pass, "store the fragments", "draw", "the visibility method abuffer keeps them all");
   addItem(plan, PlanKind::pass, "sort and composite the lists", "flush", "the mode " + plan.mode);

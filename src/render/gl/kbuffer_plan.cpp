@@ -1,5 +1,6 @@
 // What the k-buffer takes on OpenGL: targets, tiles, defines.
 #include <algorithm>
+#include <cstdint>
 
 #include "core/error.h"
 #include "render/gl/drawing_steps.h"
@@ -54,6 +55,9 @@ void planTargets(RenderPlan& plan, const Scene& scene) {
           each * static_cast<std::size_t>(plan.entryTargets), "pixel", pixels);
   if (plan.marksDonePixels)
     addItem(plan, PlanKind::target, "done pixels", "draw", "opaque pixels are spared", 1, "pixel", pixels);
+  if (plan.flagsLate)
+    addItem(plan, PlanKind::target, "whether any fragment is late", "draw",
+            "some cells are left out: a better order might be had", sizeof(std::uint32_t));
   if (plan.certificate)
     addItem(plan, PlanKind::target, "late fragments", "draw", "a certificate is asked for", 4, "pixel", pixels);
 }

@@ -20,8 +20,7 @@ struct FragmentLight {
     Real sum = Real(1.0f);
     if (light.phong) {
       const Direction ray = linear(light.along, x, y);
-      const typename A::LitPoint point =
-          A::litPoint(Direction{row(0), row(1), row(2)}, A::scaled(ray, Real(0.0f) - perLength));
+      const typename A::LitPoint point = A::litPoint(gradient(row), A::scaled(ray, Real(0.0f) - perLength));
       sum = Real(light.ambient);
       if (light.occlusionAt >= 0) sum = sum * row(light.occlusionAt);
       for (int i = 0; i < light.lights; ++i) {
@@ -29,7 +28,7 @@ struct FragmentLight {
         if (light.shadowsAt >= 0) from = from * row(light.shadowsAt + i);
         sum = sum + Real(light.intensity[i]) * from;
       }
-      sum = sum * A::silhouetteAt(point, light.silhouettes);
+      if (light.silhouettes > 0) sum = sum * A::silhouetteAt(point, light.silhouettes);
     }
     if (light.scatteredAt >= 0) sum = sum + row(light.scatteredAt);
     return sum;
@@ -38,12 +37,17 @@ struct FragmentLight {
   template <class Row>
   Real densityAt(const Row& row) const {
     if (!light.modulates) return Real(1.0f);
-    const Direction gradient{row(0), row(1), row(2)};
-    const Real length = Lanes::least(Lanes::squareRoot(A::along(gradient, gradient)), Real(1.0f));
+    const Direction g = gradient(row);
+    const Real length = Lanes::least(Lanes::squareRoot(A::along(g, g)), Real(1.0f));
     return Real(1.0f - light.modulation) + Real(light.modulation) * length;
   }
 
  private:
+  template <class Row>
+  Direction gradient(const Row& row) const {
+    return {row(light.gradientAt), row(light.gradientAt + 1), row(light.gradientAt + 2)};
+  }
+
   static Direction linear(const float (&of)[3][3], Real x, Real y) {
     auto number = [&](int axis) { return (Real(of[0][axis]) + Real(of[1][axis]) * x) + Real(of[2][axis]) * y; };
     return {number(0), number(1), number(2)};

@@ -8,7 +8,7 @@ inline constexpr int kMostRowNumbers = 9;  ///< gradient, occlusion, scattered l
 struct TileLight {
   const float* rows;  ///< one a point
   int rowLength;
-  int occlusionAt, scatteredAt, shadowsAt;  ///< places in a row; -1: not there
+  int gradientAt, occlusionAt, scatteredAt, shadowsAt;  ///< places in a row; -1: not there
   bool phong;
   bool modulates;
   float ambient, diffuse, specular, silhouettes, modulation;

@@ -35,6 +35,7 @@ TileLight tileLight(const LightPlan& plan, const std::vector<float>& rows, const
   TileLight light{};
   light.rows = rows.data();
   light.rowLength = plan.rowLength;
+  light.gradientAt = plan.gradientAt;
   light.occlusionAt = plan.occlusionAt;
   light.scatteredAt = plan.scatteredAt;
   light.shadowsAt = plan.shadowsAt;

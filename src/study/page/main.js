@@ -18,11 +18,11 @@ function subjectTitle(subject) {
 function showHead() {
   const title = "Accuracy against time: " + [...new Set(subjects.map(meshName))].join(", ");
   document.title = title;
-  const runs = study.runs ?? [], failed = runs.filter(run => run.failed != null).length;
+  const runs = study.runs ?? [], effects = study.effects ?? [], failed = [...runs, ...effects].filter(run => run.failed != null).length;
   const date = study.created ? new Date(study.created) : null;
   byId("head").append(make("h1", {}, title), make("code", {class: "command"}, study.command ?? ""),
     make("p", {class: "facts"}, [
-      `${runs.length} runs${failed ? `, ${failed} of them failed` : ""}`, date && !isNaN(date) ? date.toISOString().slice(0, 16).replace("T", " ") + " UTC" : null,
+      `${runs.length} runs${effects.length ? `, ${effects.length} effects` : ""}${failed ? `, ${failed} of them failed` : ""}`, date && !isNaN(date) ? date.toISOString().slice(0, 16).replace("T", " ") + " UTC" : null,
       study.machine?.cpu && `${study.machine.cpu}, ${study.machine.threads ?? "?"} threads`, study.machine?.renderer, study.machine?.havs && `havs ${study.machine.havs}`].filter(Boolean).join(" · ")));
   if (study.complete === false) byId("head").append(make("p", {class: "notice"}, "This study is not finished: the same command goes on with it. What is shown is what has been measured so far."));
   const missing = document.querySelector("#missing-pictures")?.textContent;
@@ -98,11 +98,12 @@ async function showSubject() {
     return section;
   }).filter(Boolean);
   const fits = fitSections(subject);
-  const failed = runs.filter(run => run.failed != null);
+  const failed = [...runs, ...effectsOf(subject)].filter(run => run.failed != null);
   fill(byId("axes"), "One setting at a time", ...(axes.length ? [make("p", {}, "Everything else as in the default run. Pick a row to see its pictures."), ...axes] : []));
   fill(byId("fits"), "Order of accuracy", ...(fits.length ? [make("p", {},
     "How fast the error falls as a table gets more entries, or a segment more samples: the slope of the line through the filled points, on logarithmic axes. −2 means that twice as many leave a quarter of the error. Hollow points were not used: there other errors dominate, or the order has not set in yet."),
     make("div", {class: "pair"}, fits)] : []));
+  fill(byId("effects"), "What effects cost", ...effectsSection(subject));
   const skipped = study.skipped ?? [];
   const skippedList = skipped.length ? [make("p", {}, "Left out of the study:"), make("ul", {}, skipped.map(text => make("li", {}, text)))] : [];
   fill(byId("failed"), failed.length ? "Runs that failed" : "What was left out", ...skippedList, ...(failed.length ? [make("div", {class: "wide"}, make("table", {},
@@ -111,7 +112,7 @@ async function showSubject() {
   const slot = make("div", {class: "slot"});
   fill(byId("all"), null, make("details", {}, make("summary", {}, `All ${runs.length} runs`), allRunsTable(runs, pickIn(slot)), slot));
   shown.push(showFront(), ...axes.map(section => section.draw?.()), ...fits.map(section => section.draw()));
-  const first = view.run ?? (runs.find(run => run.kind === "baseline" && isMeasured(run)) ?? runs.find(isMeasured) ?? runs[0])?.id;
+  const first = runs.find(run => run.id === view.run)?.id ?? (runs.find(run => run.kind === "baseline" && isMeasured(run)) ?? runs.find(isMeasured) ?? runs[0])?.id;
   pickIn(byId("front-slot"))(first);
   await Promise.all(shown);
 }

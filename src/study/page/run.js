@@ -23,8 +23,11 @@ function measureRows(run) {
 function timeRows(run) {
   const span = time => time ? `${timeText(time.median)} ms (${timeText(time.least)} to ${timeText(time.most)})` : kNothing;
   return [["Wall", span(run.frame_wall_ms)], ["CPU", span(run.frame_cpu_ms)], ["Table", run.table_ms == null ? kNothing : `${timeText(run.table_ms)} ms`],
-          ["Repetitions", countText(run.repetitions)], ["Bytes a pixel", countText(run.bytes_per_pixel)]];
+          ...(run.prepare_ms == null ? [] : [["Once", `${timeText(run.prepare_ms)} ms`]]), ["Repetitions", countText(run.repetitions)], ["Bytes a pixel", countText(run.bytes_per_pixel)], ...(run.bytes == null ? [] : [["Kept", bytesText(run.bytes)]])];
 }
+
+// A run with another effect is another picture, with a reference of its own.
+const referenceOf = (run, subject) => pictureOf(run.effect != null ? run.reference : sameSize(run, subject) ? subject.reference?.image : null);
 
 function runPanel(run, subject) {
   const settings = Object.entries(run.settings ?? {}).map(([key, value]) => [settingName(key), settingText(value)]);
@@ -32,13 +35,14 @@ function runPanel(run, subject) {
   if (!isMeasured(run)) panel.append(make("p", {class: "notice"}, run.failed != null ? "This run failed: " + run.failed : "This run has not been measured yet."));
   else panel.append(make("div", {class: "pictures"},
     figure(pictureOf(run.image), "This run.", "image"),
-    figure(sameSize(run, subject) ? pictureOf(subject.reference?.image) : null, sameSize(run, subject) ? "The reference." : "The reference of this size was not kept.", "reference"),
+    figure(referenceOf(run, subject), sameSize(run, subject) ? "The reference." : "The reference of this size was not kept.", "reference"),
     figure(pictureOf(run.difference), run.difference ? "Their difference, on the scale of its colour bar." : "Their difference.", "difference")));
   if (isMeasured(run)) panel.append(make("p", {class: "tools"}, make("button", {type: "button", "aria-pressed": "false", click: event => {
     const whole = panel.querySelector(".pictures").classList.toggle("whole");
     event.target.setAttribute("aria-pressed", whole);
   }}, "Pictures pixel by pixel")));
   panel.append(make("div", {class: "columns"}, isMeasured(run) ? [definitions(measureRows(run)), definitions(timeRows(run))] : [], definitions(settings)));
+  if (isMeasured(run)) panel.append(...[ledgerTable(run)].filter(Boolean));
   return panel;
 }
 

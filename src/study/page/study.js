@@ -2,7 +2,7 @@
 
 const study = JSON.parse(document.getElementById("study").textContent);
 const subjects = study.subjects ?? [];
-const runById = new Map((study.runs ?? []).map(run => [run.id, run]));
+const runById = new Map([...study.runs ?? [], ...study.effects ?? []].map(run => [run.id, run]));
 
 const runsOf = subject => (study.runs ?? []).filter(run => run.subject === subject.id);
 const isMeasured = run => run.failed == null && run.error != null && run.frame_wall_ms != null;

@@ -22,6 +22,8 @@ const kGlossary = [
   ["SSIM", "Structural similarity, 1 where the pictures are equal."],
   ["Wall, CPU", "Milliseconds for one frame (order, upload, draw, flush) by the clock, and summed over all processors. Medians; in small print the least and the most."],
   ["Table", "Milliseconds to build the lookup table, once before the first frame. Not part of the frame."],
+  ["Once", "Milliseconds before the first picture: preparing the mesh after it has been read, what is computed at its points, the table, uploads; and what is computed for a view, as shadows are."],
+  ["Kept", "Memory that the plan of the run foresees."],
   ["Bytes a pixel", "What the frame buffers hold for one pixel."],
   ["Misordered", "The order certificate: fragments that came too late to be composited in their place. Zero means that the order of this picture is exact."],
   ["Masked pixels", "Pixels whose centre lies within 1/128 pixel of the outline. A rasteriser may put them on either side, so no method is charged for them: the measures leave them out unless it says otherwise."],

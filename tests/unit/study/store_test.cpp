@@ -19,14 +19,23 @@ const StudyIdentity kIdentity{{"command line", "havs study a.vtu"}, {"content of
 
 VisitRecord visitOf(const std::string& run, int round) {
   VisitRecord record{.run = run, .round = round, .wallMs = 1.0 / 3.0 + round, .cpuMs = 2.5};
+  record.stagesMs = {{"order", 0.1}, {"draw", 1.0 / 7.0}};
+  record.baseline = {0.25 + round, 0.5};
   if (round == 0) {
     record.tableMs = 860.871412;
+    record.prepareMs = 12.75;
     Quality& quality = record.quality.emplace();
     quality.error = {1e-7, 2e-5, 0.1, std::numeric_limits<double>::infinity(), std::nan("")};
     quality.errorWithMasked = {1e-6, 3e-5, 1, 120, 0.5};
     quality.certificate = {{17, 3}};
     quality.bytesPerPixel = 64;
     quality.image = "images/a.png";
+    PlanItem item;
+    item.kind = PlanKind::vertexData;
+    item.name = "light of points";
+    item.stage = "upload_mesh";
+    item.bytes = 1234;
+    quality.plan = {item};
   }
   return record;
 }
@@ -75,6 +84,15 @@ TEST_F(Store, GivesBackWhatWasStored) {
   const VisitRecord& first = records.visits[0];
   EXPECT_EQ(first.wallMs, 1.0 / 3.0);  // to the last bit
   EXPECT_EQ(first.tableMs, 860.871412);
+  EXPECT_EQ(first.prepareMs, 12.75);
+  EXPECT_EQ(first.stagesMs, (StageMilliseconds{{"order", 0.1}, {"draw", 1.0 / 7.0}}));
+  EXPECT_EQ(first.baseline->wallMs, 0.25);
+  EXPECT_EQ(records.visits[2].baseline->wallMs, 2.25);
+  ASSERT_EQ(first.quality->plan.size(), 1u);
+  EXPECT_EQ(first.quality->plan[0].kind, PlanKind::vertexData);
+  EXPECT_EQ(first.quality->plan[0].name, "light of points");
+  EXPECT_EQ(first.quality->plan[0].stage, "upload_mesh");
+  EXPECT_EQ(first.quality->plan[0].bytes, 1234u);
   ASSERT_TRUE(first.quality);
   EXPECT_EQ(first.quality->error.p999, 2e-5);
   EXPECT_TRUE(std::isinf(first.quality->error.psnr));
@@ -82,6 +100,7 @@ TEST_F(Store, GivesBackWhatWasStored) {
   EXPECT_EQ(first.quality->certificate, (std::array<std::size_t, 2>{17, 3}));
   EXPECT_FALSE(records.visits[1].quality);
   EXPECT_FALSE(records.visits[1].tableMs);
+  EXPECT_FALSE(records.visits[1].prepareMs);
 }
 
 TEST_F(Store, KeepsWhyARunFailed) {
