@@ -6,6 +6,7 @@
 #include "core/compositing.glsl"
 #include "kbuffer_targets.glsl"
 #include "segment_color.glsl"
+#include "layers.glsl"
 
 #ifdef HAVS_EARLY_TERMINATION
 uniform float terminalOpacity;
@@ -22,13 +23,23 @@ void main() {
   int left = HAVS_K - 1;
   do {
     Segment segment = leave(state, kbuffer.entry[0], kbuffer.entry[1]);
+    float end = kbuffer.entry[1].distance;
 #ifdef HAVS_EARLY_TERMINATION
-    segment.visible = segment.visible && color.a < terminalOpacity;
+    bool done = color.a >= terminalOpacity;
+    segment.visible = segment.visible && !done;
+    if (done) end = kEmptyDistance;
 #endif
-    color = compositeUnder(color, segmentColor(segment));
+    color = compositeSegment(color, segmentColor(segment), segment.middle, kbuffer.entry[0].distance, end);
     for (int i = 0; i + 1 < HAVS_K; ++i) kbuffer.entry[i] = kbuffer.entry[i + 1];
     --left;
   } while (any && left > 0);
+#endif
+#ifdef HAVS_LAYERS
+  bool ended = false;
+#ifdef HAVS_EARLY_TERMINATION
+  ended = color.a >= terminalOpacity;
+#endif
+  if (!ended) color = compositeRest(color, kbuffer.entry[0].distance);
 #endif
   storeColor(color);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "render/overlay_effects.h"
 #include "scene/isosurface.h"
 
 namespace havs {
@@ -40,6 +41,21 @@ std::span<const Effect> effects() {
        .wanted = [](const Scene& scene) { return !scene.isosurfaces.empty(); },
        .check = checkIsosurfaceScene,
        .plan = planIsosurfaces},
+      {.name = "outline",
+       .description = "the edges of the box around the mesh",
+       .wanted = [](const Scene& scene) { return scene.overlays.outline.has_value(); },
+       .check = checkOutlineScene,
+       .plan = planOutline},
+      {.name = "surface",
+       .description = "the mesh's boundary faces, opaque or translucent",
+       .wanted = [](const Scene& scene) { return scene.overlays.surface.has_value(); },
+       .check = checkSurfaceScene,
+       .plan = planSurface},
+      {.name = "wire frame",
+       .description = "the edges of these faces",
+       .wanted = [](const Scene& scene) { return scene.overlays.wireFrame.has_value(); },
+       .check = checkWireFrameScene,
+       .plan = planWireFrame},
   };
   return rows;
 }

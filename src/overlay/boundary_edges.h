@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/prepared_scene.h"
+
+namespace havs {
+
+/// A face of the mesh's boundary.
+struct BoundaryFace {
+  Index corners[3];  ///< ascending
+  Vec3 normal;       ///< of length 1; 0 for a face without area
+  /// Bit i: the edge from corner i to corner (i + 1) % 3 is drawn by the wire frame.
+  std::uint8_t edges = 0;
+};
+
+/// The boundary faces, in the order of their numbers. `featureAngle`: WireFrame::featureAngle. Parallel.
+std::vector<BoundaryFace> boundaryFaces(const PreparedScene& prepared, std::optional<double> featureAngle);
+
+}  // namespace havs
