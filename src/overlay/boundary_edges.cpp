@@ -10,7 +10,9 @@
 namespace havs {
 namespace {
 
-constexpr std::uint8_t kAllEdges = 7;
+constexpr std::uint8_t kAll = 7;  // edges, corners
+
+void mark(std::uint8_t& bits, std::size_t which) { bits = static_cast<std::uint8_t>(bits | 1u << which); }
 
 /// An edge as one of its faces has it.
 struct EdgeOfFace {
@@ -48,9 +50,18 @@ void markFeatures(std::vector<BoundaryFace>& faces, double angle) {
     while (last < edges.size() && edges[last].sameEdge(edges[first])) ++last;
     const bool smooth = last - first == 2 && angleBetween(faces[edges[first].face].normal,
                                                           faces[edges[first + 1].face].normal) <= angle + kRounding;
-    for (std::size_t i = first; i < last && !smooth; ++i)
-      faces[edges[i].face].edges = static_cast<std::uint8_t>(faces[edges[i].face].edges | 1u << edges[i].edge);
+    for (std::size_t i = first; i < last && !smooth; ++i) mark(faces[edges[i].face].edges, edges[i].edge);
   }
+}
+
+void markEnds(std::vector<BoundaryFace>& faces, std::size_t points) {
+  std::vector<bool> ends(points);
+  for (const BoundaryFace& face : faces)
+    for (std::size_t e = 0; e < 3; ++e)
+      if ((face.edges >> e & 1) != 0) ends[face.corners[e]] = ends[face.corners[(e + 1) % 3]] = true;
+  for (BoundaryFace& face : faces)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (ends[face.corners[i]]) mark(face.ends, i);
 }
 
 }  // namespace
@@ -61,13 +72,16 @@ std::vector<BoundaryFace> boundaryFaces(const PreparedScene& prepared, std::opti
   for (std::size_t f = 0; f < prepared.faces.size(); ++f) {
     if (!prepared.faces.isBoundary(f)) continue;
     const auto& [a, b, c] = prepared.faces.vertices[f];
-    BoundaryFace face{{a, b, c}, {}, featureAngle ? std::uint8_t{0} : kAllEdges};
+    BoundaryFace face{{a, b, c}, {}, featureAngle ? std::uint8_t{0} : kAll, featureAngle ? std::uint8_t{0} : kAll};
     const Vec3 across = cross(prepared.points[b] - prepared.points[a], prepared.points[c] - prepared.points[a]);
     if (const double size = length(across); size > 0) face.normal = across / size;
     std::sort(std::begin(face.corners), std::end(face.corners));
     faces.push_back(face);
   }
-  if (featureAngle) markFeatures(faces, *featureAngle);
+  if (featureAngle) {
+    markFeatures(faces, *featureAngle);
+    markEnds(faces, prepared.points.size());
+  }
   return faces;
 }
 

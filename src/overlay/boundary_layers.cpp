@@ -29,7 +29,11 @@ class FaceInPicture {
     for (std::size_t i = 0; i < 3; ++i) {
       const ScreenPoint &from = corner_[i], &to = corner_[(i + 1) % 3];
       limit_[i] = edgeLimit(from, to, view.width, view.height);
-      if ((face.edges >> i & 1) != 0) lines_[i] = lineBetween(from, to);
+      if ((face.edges >> i & 1) != 0) {
+        lines_[i] = lineBetween(from, to);
+      } else if ((face.ends >> i & 1) != 0) {
+        lines_[i] = lineBetween(from, from);
+      }
     }
   }
 

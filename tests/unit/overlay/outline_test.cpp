@@ -55,8 +55,8 @@ TEST(OutlineLines, RaysEnterTheBoxAtTheFrontOnesAndLeaveItAtTheBackOnes) {
       for (const double elevation : {-40.0, 15.0}) {
         const View view = test::viewFrom(frame, azimuth, elevation, 100, projection);
         const OutlineLines lines = outlineLines(kHalf, view);
-        EXPECT_EQ(lines.front.size(), 9u);
-        EXPECT_EQ(lines.back.size(), 3u);
+        EXPECT_EQ(lines.front.size() + lines.back.size(), 12u);
+        EXPECT_GE(lines.front.size(), 7u) << "of two sides, or 9 of three";
         for (const PictureLine& line : lines.front) expectOnTheBox(line, view, true);
         for (const PictureLine& line : lines.back) expectOnTheBox(line, view, false);
       }
