@@ -21,6 +21,7 @@ void main() {
   int first = pixel == 0 ? 0 : int(ends[pixel - 1]);
   int count = int(ends[pixel]) - first;
   Rgba color = Rgba(0.0);
+  uvec2 layers = layersOfPixel();
   float reached = kEmptyDistance;
   if (count > 1) {
     PixelState state = PixelState(0.0, 0.0);
@@ -29,7 +30,7 @@ void main() {
     for (int i = 1; i < count; ++i) {
       Fragment back = fragmentOf(takeNext(list));
       Segment segment = leave(state, front, back);
-      color = compositeSegment(color, segmentColor(segment), segment.middle, reached, back.distance);
+      color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, back.distance);
       reached = back.distance;
       front = back;
 #ifdef HAVS_EARLY_TERMINATION
@@ -42,7 +43,7 @@ void main() {
 #ifdef HAVS_EARLY_TERMINATION
   ended = color.a >= terminalOpacity;
 #endif
-  if (!ended) color = compositeRest(color, reached);
+  if (!ended) color = compositeRest(layers, color, reached);
 #endif
   colorTarget = color;
 }

@@ -40,12 +40,14 @@ void main() {
     return;
   }
 #endif
-  float reached = kbuffer.entry[0].distance;
+  uvec2 layers = layersOfPixel();
+  float reached = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
   Fragment front;
   insertFragment(kbuffer, incoming, front);
   Segment segment = leave(state, front, kbuffer.entry[0]);
   segment.visible = segment.visible && !done;
-  color = compositeSegment(color, segmentColor(segment), segment.middle, reached, kbuffer.entry[0].distance);
+  float next = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
+  color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, next);
   storePixel(color, state);
   storeEntries(kbuffer);
   if (done) discard;  // at the end: before the entries are read it made llvmpipe 3.5 times as slow

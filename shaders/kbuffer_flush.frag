@@ -17,6 +17,8 @@ void main() {
   PixelState state;
   loadPixel(color, state);
   KBuffer kbuffer = loadEntries();
+  uvec2 layers = layersOfPixel();
+  float reached = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
 #if HAVS_K > 1
   // A loop by a condition ends at once where all pixels of a block are empty.
   bool any = !isEmpty(kbuffer.entry[HAVS_K - 1]);
@@ -27,9 +29,10 @@ void main() {
 #ifdef HAVS_EARLY_TERMINATION
     bool done = color.a >= terminalOpacity;
     segment.visible = segment.visible && !done;
-    if (done) end = kEmptyDistance;
+    if (done) end = reached;
 #endif
-    color = compositeSegment(color, segmentColor(segment), segment.middle, kbuffer.entry[0].distance, end);
+    color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, end);
+    reached = end;
     for (int i = 0; i + 1 < HAVS_K; ++i) kbuffer.entry[i] = kbuffer.entry[i + 1];
     --left;
   } while (any && left > 0);
@@ -39,7 +42,7 @@ void main() {
 #ifdef HAVS_EARLY_TERMINATION
   ended = color.a >= terminalOpacity;
 #endif
-  if (!ended) color = compositeRest(color, kbuffer.entry[0].distance);
+  if (!ended) color = compositeRest(layers, color, reached);
 #endif
   storeColor(color);
 }
