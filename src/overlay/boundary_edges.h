@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "scene/prepared_scene.h"
@@ -10,14 +11,33 @@ namespace havs {
 /// A face of the mesh's boundary.
 struct BoundaryFace {
   Index corners[3];  ///< ascending
-  Vec3 normal;       ///< of length 1; 0 for a face without area
-  /// Bit i: the edge from corner i to corner (i + 1) % 3 is drawn by the wire frame.
-  std::uint8_t edges = 0;
-  /// Bit i: corner i is the end of an edge that is drawn, so that a line does not break where other faces own it.
-  std::uint8_t ends = 0;
+  Vec3 normal;       ///< out of the mesh, of length 1; 0 for a face without area
 };
 
-/// The boundary faces, in the order of their numbers. `featureAngle`: WireFrame::featureAngle. Parallel.
-std::vector<BoundaryFace> boundaryFaces(const PreparedScene& prepared, std::optional<double> featureAngle);
+/// The boundary faces, in the order of their numbers.
+std::vector<BoundaryFace> boundaryFaces(const PreparedScene& prepared);
+
+/// An edge as one of its faces has it.
+struct EdgeOfFace {
+  Index from, to;      ///< from < to
+  std::uint32_t face;  ///< of boundaryFaces
+  bool sameEdge(const EdgeOfFace& other) const { return from == other.from && to == other.to; }
+};
+
+/// The edges that WireFrame::featureAngle leaves, by the points where they end.
+class FeatureEdges {
+ public:
+  FeatureEdges(const std::vector<BoundaryFace>& faces, std::size_t points, double angle);
+  /// As each of their faces has them.
+  const std::vector<EdgeOfFace>& all() const { return edges_; }
+  /// Numbers of those in all() that end at a point.
+  std::span<const std::uint32_t> at(Index point) const {
+    return {ofPoints_.data() + begin_[point], ofPoints_.data() + begin_[point + 1]};
+  }
+
+ private:
+  std::vector<EdgeOfFace> edges_;
+  std::vector<std::uint32_t> begin_, ofPoints_;
+};
 
 }  // namespace havs

@@ -23,18 +23,13 @@ using FaceList = std::vector<std::uint32_t>;
 /// A face as the picture has it.
 class FaceInPicture {
  public:
-  FaceInPicture(const BoundaryFace& face, const std::vector<ScreenPoint>& points, const View& view)
-      : face_(face), view_(view) {
+  /// `lines`: of its wire frame.
+  FaceInPicture(const BoundaryFace& face, const std::vector<ScreenPoint>& points, const View& view,
+                std::vector<PictureLine> lines = {})
+      : face_(face), view_(view), lines_(std::move(lines)) {
     for (std::size_t i = 0; i < 3; ++i) corner_[i] = points[face.corners[i]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const ScreenPoint &from = corner_[i], &to = corner_[(i + 1) % 3];
-      limit_[i] = edgeLimit(from, to, view.width, view.height);
-      if ((face.edges >> i & 1) != 0) {
-        lines_[i] = lineBetween(from, to);
-      } else if ((face.ends >> i & 1) != 0) {
-        lines_[i] = lineBetween(from, from);
-      }
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      limit_[i] = edgeLimit(corner_[i], corner_[(i + 1) % 3], view.width, view.height);
   }
 
   PixelBox box() const { return boxOf({corner_[0], corner_[1], corner_[2], corner_[2]}, view_.width, view_.height); }
@@ -63,9 +58,8 @@ class FaceInPicture {
 
   double wireCoverage(double x, double y, double width) const {
     double covered = 0;
-    for (const auto& line : lines_)
-      if (line) covered = std::max(covered, lineCoverage(line->distance(x, y), width));
-    return std::min(covered, 1.0);
+    for (const PictureLine& line : lines_) covered = std::max(covered, lineCoverage(line.distance(x, y), width));
+    return covered;
   }
 
   /// What the head light gives: |n.r|.
@@ -81,7 +75,7 @@ class FaceInPicture {
   const View& view_;
   std::array<ScreenPoint, 3> corner_;
   std::array<double, 3> limit_{};
-  std::array<std::optional<PictureLine>, 3> lines_;
+  std::vector<PictureLine> lines_;
 };
 
 std::array<float, 4> colorOf(const Overlays& overlays, const FaceInPicture& face, double x, double y, double rayScale) {
@@ -118,15 +112,56 @@ void addFace(const Overlays& overlays, const FaceInPicture& face, const PixelBox
 
 }  // namespace
 
+/// What a view's pixels are drawn from.
+struct BoundaryLayers::InView {
+  const BoundaryLayers& boundary;
+  const View& view;
+  std::vector<ScreenPoint> points;
+  std::vector<char> turned;  ///< of each face: whether its outside is turned to the eye; with feature edges
+
+  InView(const BoundaryLayers& of, const View& seen)
+      : boundary(of), view(seen), points(screenPoints(of.prepared_.points, seen)) {
+    if (!of.features_) return;
+    for (const BoundaryFace& face : of.faces_) {
+      const Vec3 toEye = view.orthographic ? -view.forward : view.eye - of.prepared_.points[face.corners[0]];
+      turned.push_back(dot(face.normal, toEye) > 0 ? 1 : 0);
+    }
+  }
+
+  FaceInPicture face(std::size_t f) const {
+    return FaceInPicture(boundary.faces_[f], points, view,
+                         boundary.overlays_.wireFrame ? lines(f) : std::vector<PictureLine>());
+  }
+
+  std::vector<PictureLine> lines(std::size_t f) const {
+    const auto& corners = boundary.faces_[f].corners;
+    std::vector<PictureLine> lines;
+    const auto add = [&](Index from, Index to) {
+      if (const auto line = lineBetween(points[from], points[to])) lines.push_back(*line);
+    };
+    if (!boundary.features_) {
+      for (std::size_t i = 0; i < 3; ++i) add(corners[i], corners[(i + 1) % 3]);
+      return lines;
+    }
+    for (const Index corner : corners)
+      for (const std::uint32_t e : boundary.features_->at(corner))
+        if (const EdgeOfFace& edge = boundary.features_->all()[e]; turned[edge.face] == turned[f])
+          add(edge.from, edge.to);
+    return lines;
+  }
+};
+
 BoundaryLayers::BoundaryLayers(const PreparedScene& prepared, const Overlays& overlays)
-    : prepared_(prepared),
-      overlays_(overlays),
-      faces_(boundaryFaces(prepared, overlays.wireFrame ? overlays.wireFrame->featureAngle : std::nullopt)) {}
+    : prepared_(prepared), overlays_(overlays), faces_(boundaryFaces(prepared)) {
+  if (const auto& wire = overlays.wireFrame; wire && wire->featureAngle)
+    features_.emplace(faces_, prepared.points.size(), *wire->featureAngle);
+}
 
 RayLayers BoundaryLayers::of(const View& view) const {
-  const std::vector<ScreenPoint> points = screenPoints(prepared_.points, view);
+  const InView inView(*this, view);
   std::vector<PixelBox> boxes(faces_.size());
-  parallelFor(0, faces_.size(), 4096, [&](std::size_t f) { boxes[f] = FaceInPicture(faces_[f], points, view).box(); });
+  parallelFor(0, faces_.size(), 4096,
+              [&](std::size_t f) { boxes[f] = FaceInPicture(faces_[f], inView.points, view).box(); });
   const auto bands = static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows);
   std::vector<FaceList> facesOf(bands);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -141,7 +176,7 @@ RayLayers BoundaryLayers::of(const View& view) const {
     const PixelBox rows{0, top, view.width - 1, std::min(top + kBandRows, view.height) - 1};
     std::vector<Found>& found = foundIn[band];
     for (const std::uint32_t f : facesOf[band])
-      addFace(overlays_, FaceInPicture(faces_[f], points, view), intersection(boxes[f], rows), top, view, found);
+      addFace(overlays_, inView.face(f), intersection(boxes[f], rows), top, view, found);
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
       return a.pixel != b.pixel ? a.pixel < b.pixel : a.layer.distance < b.layer.distance;
     });

@@ -116,18 +116,41 @@ TEST(BoundaryLayers, WireFrameCoversByTheDistanceToTheEdgesOfItsFace) {
   EXPECT_GT(expected, 500u);
 }
 
-TEST(BoundaryFaces, FeatureAngleKeepsTheEdgesOfTheBox) {
+TEST(FeatureEdges, AreTheEdgesOfTheBox) {
   const PreparedScene scene = prepared(test::box(3));
-  const auto marked = [&](std::optional<double> angle) {
-    std::size_t edges = 0;
-    for (const BoundaryFace& face : boundaryFaces(scene, angle))
-      for (int e = 0; e < 3; ++e) edges += face.edges >> e & 1;
-    return edges;
-  };
-  EXPECT_EQ(marked({}), 3u * 6 * 9 * 2);
-  EXPECT_EQ(marked(0), 12u * 3 * 2) << "twelve edges of three parts, on two faces each";
-  EXPECT_EQ(marked(89), 12u * 3 * 2);
-  EXPECT_EQ(marked(90), 0u);
+  const std::vector<BoundaryFace> faces = boundaryFaces(scene);
+  EXPECT_EQ(faces.size(), 6u * 9 * 2);
+  const auto count = [&](double angle) { return FeatureEdges(faces, scene.points.size(), angle).all().size(); };
+  EXPECT_EQ(count(0), 12u * 3 * 2) << "twelve edges of three parts, on two faces each";
+  EXPECT_EQ(count(89), 12u * 3 * 2);
+  EXPECT_EQ(count(90), 0u);
+  const FeatureEdges edges(faces, scene.points.size(), 45);
+  for (Index p = 0; p < scene.points.size(); ++p) {
+    const Vec3 at = scene.points[p] / scene.frame.halfSize.x * scene.frame.radius;
+    int onSides = 0;
+    for (int i = 0; i < 3; ++i) onSides += std::abs(at[i]) > 0.99 ? 1 : 0;
+    EXPECT_EQ(edges.at(p).size(), onSides == 3 ? 6u : onSides == 2 ? 4u : 0u) << p;
+    for (const std::uint32_t e : edges.at(p)) EXPECT_TRUE(edges.all()[e].from == p || edges.all()[e].to == p);
+  }
+}
+
+// Every pixel whose ray meets a side of the box near one of the side's edges has its line, whichever triangle it meets.
+TEST(FeatureEdges, DoNotBreakWhereTrianglesMeetThemByACornerOnly) {
+  const PreparedScene scene = prepared(test::box(6));
+  Overlays overlays;
+  overlays.wireFrame = WireFrame{{0, 0, 0}, 3, 1, 45};
+  const View view = test::viewFrom(scene.frame, 0, 0, 120, Projection::orthographic);
+  const RayLayers layers = BoundaryLayers(scene, overlays).of(view);
+  const double half = scene.frame.halfSize.x / scene.frame.radius;
+  const Vec3 low = view.project({-half, half, half}), high = view.project({half, -half, half});
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 120; ++x) {
+      const double inside = std::min({x + 0.5 - low.x, high.x - x - 0.5, y + 0.5 - low.y, high.y - y - 0.5});
+      const auto found = layers.at(x, y);
+      const double covered = inside > 0 ? lineCoverage(inside, 3) : 0;
+      EXPECT_EQ(found.size(), covered > 1e-6 ? 2u : 0u) << x << ',' << y;
+      for (const RayLayer& layer : found) EXPECT_NEAR(static_cast<double>(layer.rgba[3]), covered, 1e-6);
+    }
 }
 
 TEST(BoundaryLayers, DoNotDependOnTheNumberOfThreads) {
