@@ -16,8 +16,8 @@ void checkLayers(const Scene& scene, const char* option, const char* what) {
 }
 
 /// Once for surface and wire frame together.
-void planLayers(RenderPlan& plan, const std::string& reason) {
-  addItem(plan, PlanKind::precomputation, "layers of the boundary faces", "layers", reason);
+void planLayers(RenderPlan& plan, const std::string& what) {
+  addItem(plan, PlanKind::precomputation, "layers of the " + what, "layers", "the scene asks for the " + what);
   if (plan.layers) return;
   plan.layers = true;
   plan.defines.push_back({"HAVS_LAYERS", "1"});
@@ -45,12 +45,12 @@ void planOutline(RenderPlan& plan, const Scene& scene, const SceneFacts&, const 
 void planSurface(RenderPlan& plan, const Scene& scene, const SceneFacts&, const Capabilities&) {
   plan.overlays.surface = scene.overlays.surface;
   plan.opaqueLayers = scene.overlays.surface->opacity >= 1;
-  planLayers(plan, "the scene asks for the boundary surface");
+  planLayers(plan, "boundary surface");
 }
 
 void planWireFrame(RenderPlan& plan, const Scene& scene, const SceneFacts&, const Capabilities&) {
   plan.overlays.wireFrame = scene.overlays.wireFrame;
-  planLayers(plan, "the scene asks for the wire frame");
+  planLayers(plan, "wire frame");
 }
 
 }  // namespace havs

@@ -9,6 +9,7 @@
 #include "image/compare.h"
 #include "image/meshes_drawn.h"
 #include "image/native_scene.h"
+#include "overlay/boundary_layers.h"
 #include "reference/edge_mask.h"
 #include "render/effects.h"
 #include "render/make_renderer.h"
@@ -72,7 +73,8 @@ class OverlaysAgainstReference : public testing::TestWithParam<std::tuple<MeshDr
     scene = drawn.scene;
     const Comparison native = compareImages(drawn.draw().image, truth);
     EXPECT_LE(native.rgba.rmse, scene.lighting ? kLitRmse : kNativeRmse);
-    EXPECT_LE(native.rgba.max, scene.lighting ? kLitMaximum : kNativeMaximum) << "at " << native.worstX << ',' << native.worstY;
+    EXPECT_LE(native.rgba.max, scene.lighting ? kLitMaximum : kNativeMaximum)
+        << "at " << native.worstX << ',' << native.worstY;
     RecordProperty("native_rmse", std::to_string(native.rgba.rmse * 1e6) + "e-6");
     RecordProperty("native_max", std::to_string(native.rgba.max * 1e6) + "e-6");
 
@@ -297,6 +299,72 @@ TEST(Overlays, AreTheSameBitsWithEveryInstructionSetAndK) {
   EXPECT_EQ(differenceInBits(first.image, drawn.drawAs(scene).image), "");
   EXPECT_EQ(differenceInBits(first.image, drawn.drawAs(scene, [](RenderPlan& plan) { plan.speculate = false; }).image),
             "");
+}
+
+/// The plain picture of a convex mesh between the layers where rays enter and leave it.
+Image betweenLayers(const Image& plain, const RayLayers& layers) {
+  Image image = plain;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto found = layers.at(x, y);
+      std::array<float, 4> sum{};
+      const auto under = [&](const float* color) {
+        const float through = 1 - sum[3];
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += through * color[c];
+      };
+      if (!found.empty()) under(found.front().rgba.data());
+      under(plain.pixel(x, y));
+      if (found.size() > 1) under(found.back().rgba.data());
+      std::copy(sum.begin(), sum.end(), image.pixel(x, y));
+    }
+  return image;
+}
+
+// By every lookup, of point data and cell data: before and behind what is drawn without layers.
+TEST(Overlays, LieAroundTheVolumeByEveryLookup) {
+  const auto device = makeTestDevice("osmesa");
+  Scene scene = everything();
+  scene.overlays.outline.reset();
+  scene.tableSize = 32;
+  for (const auto& [mesh, projection] : {std::pair(withSmoothPoints(box(5, Cut::five)), Projection::perspective),
+                                         std::pair(withSmoothCells(box(5, Cut::five)), Projection::orthographic)}) {
+    scene.camera.projection = projection;
+    const NativeScene drawn(scene, mesh);
+    const RayLayers layers = BoundaryLayers(drawn.prepared, scene.overlays).of(drawn.view);
+    const auto mask = boundaryEdgeMask(drawn.prepared.points, drawn.prepared.faces, drawn.view);
+    for (const Lookup& row : lookups()) {
+      Scene with = scene;
+      with.lookup = exampleName(row);
+      Scene without = with;
+      without.overlays = {};
+      const Image expected = betweenLayers(drawn.drawAs(without).image, layers);
+      EXPECT_LE(compareImages(drawn.drawAs(with).image, expected).rgba.max, 1e-6) << with.lookup;
+      const auto onGl = [&](const Scene& asked) {
+        StageTimes stages;
+        const RenderPlan chosen = plan(asked, drawn.prepared.facts(), capabilitiesOf(*device));
+        return makeRenderer(drawn.prepared, chosen, stages)->draw(drawn.view, stages).image;
+      };
+      EXPECT_LE(compareImages(onGl(with), betweenLayers(onGl(without), layers), mask).rgba.max, 1e-6) << with.lookup;
+    }
+  }
+}
+
+TEST(Overlays, DoNotDependOnOpenGlsTiles) {
+  const auto device = makeTestDevice("osmesa");
+  Scene scene = everything();
+  const NativeScene drawn(scene, withSmoothPoints(nestedShells(4)));
+  for (const char* method : {"kbuffer", "abuffer"}) {
+    scene.visibility = method;
+    StageTimes stages;
+    RenderPlan chosen = plan(scene, drawn.prepared.facts(), capabilitiesOf(*device));
+    const Image whole = makeRenderer(drawn.prepared, chosen, stages)->draw(drawn.view, stages).image;
+    chosen.tileWidth = 27;
+    chosen.tileHeight = 19;
+    const Image tiled = makeRenderer(drawn.prepared, chosen, stages)->draw(drawn.view, stages).image;
+    // A tile's own matrix rounds corners anew; layers in a wrong pixel would be off by their opacity.
+    EXPECT_LE(compareImages(tiled, whole).rgba.p999, 1e-4) << method;
+    EXPECT_LE(compareImages(tiled, whole).rgba.rmse, 1e-3) << method;
+  }
 }
 
 std::vector<std::string> itemsOf(const RenderPlan& plan) {
