@@ -2,7 +2,7 @@
 # havs::core, havs::mesh, ... The module that opens VTK's readers is installed beside them (src/mesh/vtk).
 include(CMakePackageConfigHelpers)
 
-set(libraries havs_core havs_mesh havs_transfer havs_light havs_scene havs_sort havs_image havs_gl havs_raster havs_reference havs_render havs_page
+set(libraries havs_core havs_mesh havs_transfer havs_light havs_scene havs_sort havs_image havs_gl havs_raster havs_overlay havs_reference havs_render havs_page
               havs_study)
 if(TARGET havs_glad)
   list(APPEND libraries havs_glad)

@@ -6,6 +6,7 @@
 #include "core/kbuffer.glsl"
 #include "core/compositing.glsl"
 #include "segment_color.glsl"
+#include "layers.glsl"
 #include "abuffer_lists.glsl"
 #include "abuffer_sort.glsl"
 
@@ -20,6 +21,8 @@ void main() {
   int first = pixel == 0 ? 0 : int(ends[pixel - 1]);
   int count = int(ends[pixel]) - first;
   Rgba color = Rgba(0.0);
+  uvec2 layers = layersOfPixel();
+  float reached = kEmptyDistance;
   if (count > 1) {
     PixelState state = PixelState(0.0, 0.0);
     Merge list = sortList(first, count);
@@ -27,12 +30,20 @@ void main() {
     for (int i = 1; i < count; ++i) {
       Fragment back = fragmentOf(takeNext(list));
       Segment segment = leave(state, front, back);
-      color = compositeUnder(color, segmentColor(segment));
+      color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, back.distance);
+      reached = back.distance;
       front = back;
 #ifdef HAVS_EARLY_TERMINATION
       if (color.a >= terminalOpacity) break;
 #endif
     }
   }
+#ifdef HAVS_LAYERS
+  bool ended = false;
+#ifdef HAVS_EARLY_TERMINATION
+  ended = color.a >= terminalOpacity;
+#endif
+  if (!ended) color = compositeRest(layers, color, reached);
+#endif
   colorTarget = color;
 }

@@ -6,6 +6,7 @@
 #include "core/compositing.glsl"
 #include "kbuffer_targets.glsl"
 #include "segment_color.glsl"
+#include "layers.glsl"
 
 #ifdef HAVS_EARLY_TERMINATION
 uniform float terminalOpacity;
@@ -16,19 +17,32 @@ void main() {
   PixelState state;
   loadPixel(color, state);
   KBuffer kbuffer = loadEntries();
+  uvec2 layers = layersOfPixel();
+  float reached = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
 #if HAVS_K > 1
   // A loop by a condition ends at once where all pixels of a block are empty.
   bool any = !isEmpty(kbuffer.entry[HAVS_K - 1]);
   int left = HAVS_K - 1;
   do {
     Segment segment = leave(state, kbuffer.entry[0], kbuffer.entry[1]);
+    float end = kbuffer.entry[1].distance;
 #ifdef HAVS_EARLY_TERMINATION
-    segment.visible = segment.visible && color.a < terminalOpacity;
+    bool done = color.a >= terminalOpacity;
+    segment.visible = segment.visible && !done;
+    if (done) end = reached;
 #endif
-    color = compositeUnder(color, segmentColor(segment));
+    color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, end);
+    reached = end;
     for (int i = 0; i + 1 < HAVS_K; ++i) kbuffer.entry[i] = kbuffer.entry[i + 1];
     --left;
   } while (any && left > 0);
+#endif
+#ifdef HAVS_LAYERS
+  bool ended = false;
+#ifdef HAVS_EARLY_TERMINATION
+  ended = color.a >= terminalOpacity;
+#endif
+  if (!ended) color = compositeRest(layers, color, reached);
 #endif
   storeColor(color);
 }

@@ -84,6 +84,7 @@ FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
   segment.back = back.payload;
   segment.scalarFront = scalarOf(front.payload);
   segment.scalarBack = scalarOf(back.payload);
+  segment.middle = Real(0.5) * front.distance + Real(0.5) * back.distance;
   Real stretch = back.distance - front.distance;
   segment.length = select(stretch > Real(0.0), stretch, Real(0.0));
   segment.visible = real && (state.inside > Real(0.5));

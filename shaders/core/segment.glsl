@@ -6,5 +6,6 @@ struct Segment {
   Real scalarFront;
   Real scalarBack;
   Real length;
+  Real middle;  // its distance along the ray
   Mask visible;
 };

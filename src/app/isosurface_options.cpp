@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "app/color_form.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "image/color_names.h"
@@ -67,17 +68,6 @@ Isosurface isosurfaceOf(const std::string& text) {
   return surface;
 }
 
-std::optional<std::string> colorText(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array() || value.size() != 3) return std::nullopt;
-  std::string text;
-  for (const Json& part : value) {
-    if (!part.is_number()) return std::nullopt;
-    text += (text.empty() ? "" : ",") + part.dump();
-  }
-  return text;
-}
-
 }  // namespace
 
 void addIsosurfaceOptions(CLI::App& command, SceneOptions& options) {
@@ -102,7 +92,7 @@ std::optional<std::string> isosurfaceToText(const Json& value, const std::filesy
   std::string number, color, opacity;
   for (const auto& [key, part] : value.items()) {
     if (key == "color") {
-      const auto text = part.is_null() ? std::string() : colorText(part);
+      const auto text = part.is_null() ? std::string() : colorToText(part);
       if (!text) return std::nullopt;
       color = *text;
     } else if (key == "value" || key == "opacity") {

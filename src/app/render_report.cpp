@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/mesh_report.h"
+#include "app/overlay_options.h"
 #include "app/plan_report.h"
 #include "core/memory.h"
 #include "render/certificate_picture.h"
@@ -20,7 +21,9 @@ std::string nameOf(OpacityMeaning meaning) { return meaning == OpacityMeaning::p
 
 /// What one frame costs once mesh and table stand.
 double frameMilliseconds(const StageTimes& stages) {
-  return stages.median("order") + stages.median("upload") + stages.median("draw") + stages.median("flush");
+  double sum = 0;
+  for (const char* stage : {"order", "upload", "draw", "flush", "layers", "outline"}) sum += stages.median(stage);
+  return sum;
 }
 
 /// Every stage of a frame, 0 for one that this drawing did without, and whatever else was timed; of the reference, what
@@ -40,6 +43,13 @@ Json isosurfacesAsJson(const RenderReport& report) {
   for (const ShownIsosurface& s : report.isosurfaces)
     json.push_back({{"value", s.value}, {"color", s.color}, {"opacity", s.opacity}});
   return json;
+}
+
+/// As scene files have it.
+Json backgroundAsJson(const std::optional<Background>& background) {
+  if (!background) return nullptr;
+  if (!background->isGradient()) return background->bottom;
+  return {{"bottom", background->bottom}, {"top", background->top}};
 }
 
 /// As scene files have it.
@@ -76,11 +86,14 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
                                {"unit_length", report.unitLength},
                                {"domain", report.domain}};
   json["isosurfaces"] = isosurfacesAsJson(report);
+  json["outline"] = overlayAsJson(scene.overlays.outline);
+  json["surface"] = overlayAsJson(scene.overlays.surface);
+  json["wireframe"] = overlayAsJson(scene.overlays.wireFrame);
   addClipping(scene, json);
   addLight(scene, json);
   json["camera"] = Json::parse(report.camera);
   json["size"] = {scene.width, scene.height};
-  json["background"] = scene.background ? Json(*scene.background) : Json();
+  json["background"] = backgroundAsJson(scene.background);
   json["mode"] = scene.mode;
   const bool ordered = mode(scene.mode).gathering == Gathering::composite;
   json["visibility"] = ordered ? Json(scene.visibility) : Json();
@@ -102,9 +115,10 @@ Json settingsAsJson(const Scene& scene, const RenderReport& report) {
 /// Without the method's, which the reference does not heed.
 Json settingsOfReference(const Json& all) {
   Json json;
-  for (const char* key : {"transfer_function", "isosurfaces", "clip_plane", "clip_box", "cut_box", "threshold",
-                          "lighting", "lights", "shadows", "occlusion", "scattering", "modulation", "camera", "size",
-                          "background", "mode", "threads", "repeat"})
+  for (const char* key :
+       {"transfer_function", "isosurfaces", "outline",  "surface",    "wireframe", "clip_plane", "clip_box",
+        "cut_box",           "threshold",   "lighting", "lights",     "shadows",   "occlusion",  "scattering",
+        "modulation",        "camera",      "size",     "background", "mode",      "threads",    "repeat"})
     json[key] = all[key];
   return json;
 }

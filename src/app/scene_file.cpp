@@ -10,7 +10,9 @@
 #include <sstream>
 #include <variant>
 
+#include "app/color_form.h"
 #include "app/isosurface_options.h"
+#include "app/overlay_options.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "transfer/json_text.h"
@@ -110,14 +112,11 @@ const Form kSixNumbers{"a list of six numbers, or a list of such lists", listSch
                        [](const Json& value, const Folder&) { return numbersToText(value, 6, ','); },
                        [](const std::string& text, const Folder&) { return numbersFromText(text, 6, ','); }};
 
-const Form kColor{
-    "a name, '#rrggbb', [r, g, b] from 0 to 1, or null for none",
-    {{"anyOf", {{{"type", {"string", "null"}}}, listSchema("number", 3)}}},
-    [](const Json& value, const Folder&) {
-      if (value.is_null()) return std::optional<std::string>(kNone);
-      return value.is_string() ? std::optional(value.get<std::string>()) : numbersToText(value, 3, ',');
-    },
-    [](const std::string& text, const Folder&) { return text == kNone ? Json() : numbersFromText(text, 3, ','); }};
+const Form kBackground{
+    "a name, '#rrggbb', [r, g, b] from 0 to 1, {\"bottom\": ..., \"top\": ...} of two of these, or null "
+    "for none",
+    backgroundSchema(), [](const Json& value, const Folder&) { return backgroundToText(value); },
+    [](const std::string& text, const Folder&) { return backgroundFromText(text); }};
 
 const Form kCamera{"an object with azimuth, elevation and so on",
                    {{"type", {"object", "string"}}},
@@ -180,6 +179,9 @@ const Form kIsosurface{
     "an object with a value, or a list of such, as {\"value\": 0.5, \"color\": \"red\", \"opacity\": 0.3}",
     isosurfaceSchema(), isosurfaceToText, isosurfaceFromText};
 
+const Form kStyle{"\"default\", or an object such as {\"color\": \"red\", \"width\": 2}", styleSchema(), styleToText,
+                  styleFromText};
+
 using Text = std::optional<std::string> SceneOptions::*;
 using Texts = std::vector<std::string> SceneOptions::*;
 using Number = std::optional<double> SceneOptions::*;
@@ -205,6 +207,9 @@ const std::vector<Key>& keys() {
       {"unit_length", "--unit-length", &S::unitLength},
       {"domain", "--domain", &S::domain, &kRange},
       {"isosurfaces", "--isosurface", &S::isosurfaces, &kIsosurface},
+      {"outline", "--outline", &S::outline, &kStyle},
+      {"surface", "--surface", &S::surface, &kStyle},
+      {"wireframe", "--wireframe", &S::wireFrame, &kStyle},
       {"mode", "--mode", &S::mode},
       {"clip_plane", "--clip-plane", &S::clipPlanes, &kSixNumbers},
       {"clip_box", "--clip-box", &S::clipBoxes, &kSixNumbers},
@@ -219,7 +224,7 @@ const std::vector<Key>& keys() {
       {"size", "--size", &S::size, &kSize},
       {"camera", "--camera", &S::camera, &kCamera},
       {"projection", "--projection", &S::projection},
-      {"background", "--background", &S::background, &kColor},
+      {"background", "--background", &S::background, &kBackground},
       {"device", "--device", &S::device},
       {"simd", "--simd", &S::instructionSet},
       {"visibility", "--visibility", &S::visibility},

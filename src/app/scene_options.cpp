@@ -9,6 +9,7 @@
 #include "app/clip_options.h"
 #include "app/isosurface_options.h"
 #include "app/light_options.h"
+#include "app/overlay_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
@@ -64,8 +65,9 @@ void addPictureOptions(CLI::App& command, SceneOptions& options) {
   add(command, kGroup, "--camera", options.camera, "CAMERA",
       "AZIMUTH,ELEVATION[,ZOOM] in degrees, a JSON object, or a file with one");
   add(command, kGroup, "--projection", options.projection, "NAME", "perspective (default) or orthographic");
-  add(command, kGroup, "--background", options.background, "COLOR",
-      "none, '#rrggbb', r,g,b from 0 to 1, or a name (default white): " + colorNames());
+  add(command, kGroup, "--background", options.background, "COLOR|BOTTOM..TOP",
+      "none, '#rrggbb', r,g,b from 0 to 1, or a name (default white); or a gradient between two of these: " +
+          colorNames());
 }
 
 /// "3d 128, 2d 512"
@@ -214,6 +216,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addLightOptions(command, options);
   addTransferOptions(command, options);
   addIsosurfaceOptions(command, options);
+  addOverlayOptions(command, options);
   addPictureOptions(command, options);
   addMethodOptions(command, options);
 }
@@ -232,6 +235,7 @@ Scene makeScene(const SceneOptions& options) {
   if (options.size) setSize(scene, *options.size);
   if (options.background) scene.background = parseBackground(*options.background);
   setIsosurfaces(scene, options);
+  setOverlays(scene, options);
   setClipping(scene, options);
   setLight(scene, options);
   setCamera(scene, options);

@@ -19,6 +19,7 @@ struct SceneOptions {
   std::optional<std::string> threshold;
   std::vector<std::string> clipPlanes, clipBoxes, cutBoxes;
   std::vector<std::string> isosurfaces;
+  std::optional<std::string> outline, surface, wireFrame;
   bool compositeLate = false;
   bool paper = false;
   std::optional<std::string> lighting, occlusion, scattering;

@@ -23,9 +23,21 @@ struct Image {
 
 using Color = std::array<double, 3>;
 
+/// What a picture lies over: one colour, or a gradient from its lower to its upper edge.
+struct Background {
+  Color bottom{1, 1, 1}, top{1, 1, 1};  ///< of [0, 1]
+  Background() = default;
+  Background(const Color& color) : bottom(color), top(color) {}
+  Background(const Color& low, const Color& high) : bottom(low), top(high) {}
+  bool isGradient() const { return bottom != top; }
+  /// At the middles of the pixels of a row, row 0 on top: linear in their height.
+  Color at(int row, int height) const;
+  bool operator==(const Background&) const = default;
+};
+
 struct ImageFileOptions {
-  std::optional<Color> background = Color{1, 1, 1};  ///< none: transparent
-  int pngBits = 8;                                   ///< 8 or 16
+  std::optional<Background> background = Background{};  ///< none: transparent
+  int pngBits = 8;                                      ///< 8 or 16
 };
 
 /// Throws Error{input} when writeImage would refuse the name (unknown extension, directory, unwritable): call before
@@ -57,7 +69,7 @@ struct StoredImage {
 /// readImage, and what the file says of its content and precision. Throws Error{input}.
 StoredImage readStoredImage(const std::filesystem::path& file);
 
-/// "none", or a colour as parseColor (image/color_names.h) reads it. Throws Error{input}.
-std::optional<Color> parseBackground(const std::string& text);
+/// "none", a colour as parseColor (image/color_names.h) reads it, or BOTTOM..TOP, two of these. Throws Error{input}.
+std::optional<Background> parseBackground(const std::string& text);
 
 }  // namespace havs

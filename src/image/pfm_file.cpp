@@ -16,13 +16,14 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "PFM rows are written as they lie in memory");
 
 bool writePfm(const Image& image, const fs::path& file, const ImageFileOptions& options) {
-  const Color background = options.background.value_or(Color{0, 0, 0});
+  const Background background = options.background.value_or(Color{0, 0, 0});
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
   stream << fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
   std::vector<float> row(3 * static_cast<std::size_t>(image.width));
   for (int y = image.height - 1; y >= 0; --y) {
+    const Color behind = background.at(y, image.height);
     for (int x = 0; x < image.width; ++x) {
-      const auto color = over(image.pixel(x, y), background);
+      const auto color = over(image.pixel(x, y), behind);
       std::copy(color.begin(), color.end(), row.begin() + 3 * x);
     }
     stream.write(reinterpret_cast<const char*>(row.data()), static_cast<std::streamsize>(row.size() * sizeof(float)));

@@ -61,9 +61,10 @@ class Rows {
   /// One row as PNG holds it (16 bits: most significant byte first).
   void pack(std::size_t y, std::span<std::uint8_t> row) const {
     const float* pixel = image_.pixel(0, static_cast<int>(y));
+    const Color behind = options_.background ? options_.background->at(static_cast<int>(y), image_.height) : Color{};
     for (std::size_t at = 0; at < row.size(); pixel += 4) {
       if (options_.background)
-        at = put(over(pixel, *options_.background), at, row);
+        at = put(over(pixel, behind), at, row);
       else
         at = put(straight(pixel), at, row);
     }

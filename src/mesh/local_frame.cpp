@@ -53,7 +53,7 @@ LocalFrame localFrame(const TetMesh& mesh) {
   if (mesh.tetrahedra.empty()) return frame;
   const Box box = boundingBox(mesh);
   frame.center = box.low / 2.0 + box.high / 2.0;  // their sum may overflow
-  const Vec3 half = box.high / 2.0 - box.low / 2.0;
+  const Vec3 half = frame.halfSize = box.high / 2.0 - box.low / 2.0;
   // Lengths are squared only after division by this one, so that nothing overflows or underflows.
   const double scale = std::max({half.x, half.y, half.z});
   if (!(scale > 0)) {

@@ -10,6 +10,7 @@ struct LocalFrame {
   Vec3 center{0};       ///< of the bounding box of the points that cells use
   double radius = 1;    ///< greatest distance of such a point from the centre; 1 when that is 0
   double diagonal = 2;  ///< of that bounding box, in world units
+  Vec3 halfSize{0};     ///< the same: from its centre to its sides
   Vec3 toLocal(const Vec3& world) const { return (world - center) / radius; }
 };
 

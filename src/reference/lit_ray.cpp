@@ -163,7 +163,7 @@ Incident LitRays::incidentAt(const Vec3& place, Index cell, const Vec3& toEye) c
   return incident;
 }
 
-RayColor LitRays::color(int x, int y, std::span<const CellSegment> segments) const {
+RayColor LitRays::color(int x, int y, std::span<const CellSegment> segments, std::span<const RayLayer> onRay) const {
   const double scale = view_.rayScale(x + 0.5, y + 0.5);
   const double u = (2 * (x + 0.5) / view_.width - 1) * view_.halfWidth;
   const double v = (1 - 2 * (y + 0.5) / view_.height) * view_.halfHeight;
@@ -174,7 +174,10 @@ RayColor LitRays::color(int x, int y, std::span<const CellSegment> segments) con
   const Vec3 toEye = -along / scale;
   Rgba sum(0, 0, 0, 0);
   Crossings crossings(prepared_.isosurfaces);
+  LayersOfRay layers(onRay);
+  const auto under = [&](const std::array<float, 4>& rgba) { sum = A::compositeUnder(sum, colorOfLayer(rgba)); };
   for (const CellSegment& s : segments) {
+    layers.before(middleOf(s), under);
     const Incident front = incidentAt(base + s.entry / scale * along, s.cell, toEye);
     const Incident back = incidentAt(base + s.exit / scale * along, s.cell, toEye);
     const double length = s.exit - s.entry;
@@ -188,6 +191,7 @@ RayColor LitRays::color(int x, int y, std::span<const CellSegment> segments) con
     });
     if (ended || (volume_ && addVolume(sum, prepared_.curve, begin, {s.scalarExit, 1, back}, length))) break;
   }
+  layers.rest(under);
   return {sum.r, sum.g, sum.b, sum.a};
 }
 

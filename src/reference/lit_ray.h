@@ -21,8 +21,9 @@ class LitRays {
   LitRays(const PreparedScene& prepared, const LightPlan& plan, const std::vector<float>& rows,
           std::vector<ViewLight> lights, const View& view, bool volume = true);
 
-  /// Of the pixel (x, y), whose segments these are, in order; ends at the first opaque surface.
-  RayColor color(int x, int y, std::span<const CellSegment> segments) const;
+  /// Of the pixel (x, y), whose segments these are, in order; ends at the first opaque surface. The layers of its ray
+  /// are as they are, in no light.
+  RayColor color(int x, int y, std::span<const CellSegment> segments, std::span<const RayLayer> onRay = {}) const;
 
   /// What falls on a point of the ray.
   struct Incident {

@@ -35,12 +35,24 @@ bool addSurface(const ShownIsosurface& surface, Rgba& sum) {
   return a >= 1;
 }
 
+/// Puts a layer under `sum`.
+auto under(Rgba& sum) {
+  return [&sum](const std::array<float, 4>& rgba) { sum = A::compositeUnder(sum, colorOfLayer(rgba)); };
+}
+
 }  // namespace
+
+Rgba colorOfLayer(const std::array<float, 4>& rgba) {
+  const auto& [r, g, b, a] = rgba;
+  return {static_cast<double>(r), static_cast<double>(g), static_cast<double>(b), static_cast<double>(a)};
+}
 
 RayColor rayColor(const RayScene& scene, std::span<const CellSegment> segments) {
   Rgba sum(0, 0, 0, 0);
   Crossings crossings(scene.isosurfaces);
+  LayersOfRay layers(scene.layers);
   for (const CellSegment& s : segments) {
+    layers.before(middleOf(s), under(sum));
     const double length = s.exit - s.entry;
     double from = s.scalarEntry, begin = 0;
     bool ended = false;
@@ -52,17 +64,21 @@ RayColor rayColor(const RayScene& scene, std::span<const CellSegment> segments) 
     });
     if (ended || addVolume(scene.curve, from, s.scalarExit, (1 - begin) * length, sum)) break;
   }
+  layers.rest(under(sum));
   return {sum.r, sum.g, sum.b, sum.a};
 }
 
 RayColor rayIsosurfaces(const RayScene& scene, std::span<const CellSegment> segments) {
   Rgba sum(0, 0, 0, 0);
   Crossings crossings(scene.isosurfaces);
+  LayersOfRay layers(scene.layers);
   bool ended = false;
   for (const CellSegment& s : segments) {
+    layers.before(middleOf(s), under(sum));
     crossings.visit(s, [&](const ShownIsosurface& surface, double) { ended = ended || addSurface(surface, sum); });
     if (ended) break;
   }
+  layers.rest(under(sum));
   return {sum.r, sum.g, sum.b, sum.a};
 }
 

@@ -24,20 +24,27 @@ Drawing drawRays(const PreparedScene& prepared, const View& view, const Progress
   return drawing;
 }
 
+std::span<const RayLayer> layersAt(const RayLayers* layers, int x, int y) {
+  return layers == nullptr ? std::span<const RayLayer>() : layers->at(x, y);
+}
+
 class ReferenceRenderer final : public Renderer {
  public:
   ReferenceRenderer(const PreparedScene& prepared, RayFunction function) : prepared_(prepared), function_(function) {}
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     const ScopedStage timer(stages, "draw");
-    return drawRays(prepared_, view, progress, [&](int, int, std::span<const CellSegment> segments) {
-      return function_({prepared_.curve, prepared_.isosurfaces}, segments);
+    return drawRays(prepared_, view, progress, [&](int x, int y, std::span<const CellSegment> segments) {
+      return function_({prepared_.curve, prepared_.isosurfaces, layersAt(layers_, x, y)}, segments);
     });
   }
+
+  void setLayers(const RayLayers* layers) override { layers_ = layers; }
 
  private:
   const PreparedScene& prepared_;
   RayFunction function_;
+  const RayLayers* layers_ = nullptr;
 };
 
 class LitReferenceRenderer final : public Renderer {
@@ -49,15 +56,19 @@ class LitReferenceRenderer final : public Renderer {
     if (!light_) light_.emplace(prepared_, plan_, stages);
     const LitRays rays(prepared_, plan_, light_->rowsFor(view, stages), light_->lightsFor(view), view, volume_);
     const ScopedStage timer(stages, "draw");
-    return drawRays(prepared_, view, progress,
-                    [&](int x, int y, std::span<const CellSegment> segments) { return rays.color(x, y, segments); });
+    return drawRays(prepared_, view, progress, [&](int x, int y, std::span<const CellSegment> segments) {
+      return rays.color(x, y, segments, layersAt(layers_, x, y));
+    });
   }
+
+  void setLayers(const RayLayers* layers) override { layers_ = layers; }
 
  private:
   const PreparedScene& prepared_;
   LightPlan plan_;
   bool volume_;
   std::optional<LightData> light_;
+  const RayLayers* layers_ = nullptr;
 };
 
 }  // namespace

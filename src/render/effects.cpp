@@ -1,6 +1,7 @@
 #include "render/effects.h"
 
 #include "render/effect_parts.h"
+#include "render/overlay_effects.h"
 #include "scene/clip_scene.h"
 
 namespace havs {
@@ -95,6 +96,27 @@ std::span<const Effect> effects() {
        .remove = [](Scene& scene) { scene.isosurfaces.clear(); },
        .check = checkIsosurfaceScene,
        .plan = planIsosurfaces},
+      {.name = "outline",
+       .description = "the edges of the box around the mesh",
+       .wanted = [](const Scene& scene) { return scene.overlays.outline.has_value(); },
+       .add = [](Scene& scene, const EffectData&) { scene.overlays.outline.emplace(); },
+       .remove = [](Scene& scene) { scene.overlays.outline.reset(); },
+       .check = checkOutlineScene,
+       .plan = planOutline},
+      {.name = "surface",
+       .description = "the mesh's boundary faces, opaque or translucent",
+       .wanted = [](const Scene& scene) { return scene.overlays.surface.has_value(); },
+       .add = [](Scene& scene, const EffectData&) { scene.overlays.surface.emplace(); },
+       .remove = [](Scene& scene) { scene.overlays.surface.reset(); },
+       .check = checkSurfaceScene,
+       .plan = planSurface},
+      {.name = "wire frame",
+       .description = "the edges of these faces",
+       .wanted = [](const Scene& scene) { return scene.overlays.wireFrame.has_value(); },
+       .add = [](Scene& scene, const EffectData&) { scene.overlays.wireFrame.emplace(); },
+       .remove = [](Scene& scene) { scene.overlays.wireFrame.reset(); },
+       .check = checkWireFrameScene,
+       .plan = planWireFrame},
   };
   return rows;
 }

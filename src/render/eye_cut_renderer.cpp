@@ -25,10 +25,15 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
 
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     if (cutFor(view, stages) || !renderer_) renderer_ = make_(drawn(), plan_, stages, progress);
+    std::optional<RayLayers> moved;
+    if (layers_ != nullptr && part_) moved = seenFromOrigin(*layers_, view);
+    renderer_->setLayers(moved ? &*moved : layers_);
     Drawing drawing = renderer_->draw(part_ ? viewFromOrigin(view) : view, stages, progress);
     if (part_ && !drawing.drawnCells) drawing.drawnCells = part_->mesh.tetrahedra.size();
     return drawing;
   }
+
+  void setLayers(const RayLayers* layers) override { layers_ = layers; }
 
   void changeK(const RenderPlan& plan) override {
     plan_ = plan;
@@ -62,6 +67,7 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   std::unique_ptr<PreparedScene> part_;  // drawn instead of all, where there is one
   std::unique_ptr<Renderer> renderer_;
   std::optional<Seen> cut_;
+  const RayLayers* layers_ = nullptr;
 };
 
 }  // namespace

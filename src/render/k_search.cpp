@@ -23,6 +23,7 @@ Scene sceneForSearch(const Scene& scene) {
   Scene search = scene;
   search.certificate = true;
   search.kAuto = false;
+  search.overlays = {};
   if (scene.earlyTermination == 0 && lookupOf(scene).carries == Payload::scalar) search.lookup = "post";
   return search;
 }

@@ -6,6 +6,7 @@
 #include "reference/reference_renderer.h"
 #include "render/effects.h"
 #include "render/eye_cut_renderer.h"
+#include "render/overlay_renderer.h"
 #include "render/visibility.h"
 #include "scene/visible_part_renderer.h"
 
@@ -38,13 +39,24 @@ ViewPoint viewPointOf(const View& view) { return {view.orthographic, view.eye, v
 
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress) {
-  return rendererForAnyEye(prepared, plan, stages, progress, makePartRenderer);
+  auto renderer = rendererForAnyEye(prepared, plan, stages, progress, makePartRenderer);
+  return plan.overlays.any() ? rendererWithOverlays(prepared, plan.overlays, std::move(renderer)) : std::move(renderer);
 }
 
-std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
+namespace {
+
+std::unique_ptr<Renderer> makePlainReference(const Scene& scene, const PreparedScene& prepared) {
   if (const LightPlan light = lightPlanOf(scene); light.lit)
     return makeLitReferenceRenderer(prepared, light, mode(scene.mode).seesVolume);
   return makeReferenceRenderer(prepared, mode(scene.mode).reference);
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeReference(const Scene& scene, const PreparedScene& prepared) {
+  auto renderer = makePlainReference(scene, prepared);
+  return scene.overlays.any() ? rendererWithOverlays(prepared, scene.overlays, std::move(renderer))
+                              : std::move(renderer);
 }
 
 }  // namespace havs

@@ -17,7 +17,7 @@ ViewPoint viewPointOf(const View& view);
 
 /// The renderer of a plan. It draws only the cells that show anything (scene/visible_part.h), and for an eye in the
 /// mesh only what is before it (scene/eye_cut.h). `prepared` and the current device must outlive it. Stages timed:
-/// visible, table, upload_mesh.
+/// visible, table, upload_mesh; while drawing besides those of rendererWithOverlays.
 std::unique_ptr<Renderer> makeRenderer(const PreparedScene& prepared, const RenderPlan& plan, StageTimes& stages,
                                        const Progress& progress = {});
 

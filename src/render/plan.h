@@ -68,6 +68,9 @@ struct RenderPlan {
   bool opaqueSurfaces = false;
   bool isosurfaces = false;
   bool opaqueIsosurfaces = false;  ///< some of them: nothing is seen behind
+  Overlays overlays;
+  bool layers = false;        ///< some of these are RayLayers, which the renderer composites
+  bool opaqueLayers = false;  ///< of which some are opaque all over: nothing is seen behind
   bool certificate = false;
   bool marksDonePixels = false;  ///< k-buffer: a stencil spares pixels that take no more fragments
   bool flagsLate = false;  ///< k-buffer: whether any fragment is late is looked at, as a better order might be had

@@ -36,6 +36,7 @@ struct VisibilityMethod {
   bool dropsLateFragments = false;      ///< knows late fragments, and may composite them (`--composite-late`)
   bool carriesColors = false;           ///< fragments may carry colours (Payload::color)
   bool carriesLight = false;            ///< fragments may carry light (Payload::lit)
+  bool takesLayers = false;             ///< composites layers between segments (RenderPlan::layers)
   DrawingWay gl;                        ///< on OpenGL
   DrawingWay native;                    ///< on the native device; make is null where it does not draw that way
 };

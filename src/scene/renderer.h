@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "core/stage_times.h"
 #include "image/image.h"
+#include "scene/ray_layers.h"
 #include "scene/view.h"
 
 namespace havs {
@@ -38,6 +39,9 @@ class Renderer {
   /// The picture as seen by `view`. Times what it does of the stages order, upload, draw, flush, readback. Throws
   /// Error{running} (no memory, ...).
   virtual Drawing draw(const View& view, StageTimes& stages, const Progress& progress = {}) = 0;
+  /// What draw() composites besides the volume, of the same view, until it is told otherwise; null: nothing. They must
+  /// outlive the drawing. Only of plans with RenderPlan::layers, and of the reference's modes that composite.
+  virtual void setLayers(const RayLayers*) {}
 };
 
 }  // namespace havs

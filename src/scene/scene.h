@@ -9,6 +9,7 @@
 #include "scene/clipping.h"
 #include "scene/isosurface.h"
 #include "scene/lighting.h"
+#include "scene/overlays.h"
 
 namespace havs {
 
@@ -28,6 +29,7 @@ struct Scene {
   std::optional<double> unitLength;             ///< mesh units; overrides the transfer function's
   std::optional<std::array<double, 2>> domain;  ///< in the data's unit; overrides the transfer function's
   std::vector<Isosurface> isosurfaces;          ///< with the volume, or alone (mode `isosurfaces`)
+  Overlays overlays;                            ///< the mesh's outline, boundary surface, wire frame
   std::vector<ClipPlane> clipPlanes;            ///< what is in all of these and of the boxes is drawn
   std::vector<ClipBox> clipBoxes;
   std::optional<std::array<double, 2>> threshold;  ///< in the data's unit, both included: other cells are holes
@@ -54,8 +56,8 @@ struct Scene {
   double earlyTermination = 0;           ///< opacity at which a pixel is done; 0: never
   bool certificate = false;              ///< count misordered fragments (design: the order certificate)
   bool compositeLate = false;            ///< late fragments are composited (the paper) instead of dropped
-  std::optional<Color> background = Color{1, 1, 1};
-  std::size_t threads = 0;  ///< 0: all cores
+  std::optional<Background> background = Background{};  ///< none: transparent
+  std::size_t threads = 0;                              ///< 0: all cores
   int repeat = 1;
 };
 

@@ -17,13 +17,28 @@ class NothingRenderer final : public Renderer {
   Drawing draw(const View& view, StageTimes&, const Progress&) override {
     Drawing drawing;
     drawing.image = {view.width, view.height, std::vector<float>(4 * pixelsOf(view))};
+    if (layers_ != nullptr) compositeLayers(drawing.image);
     if (certificate_) drawing.certificate.emplace().count.assign(pixelsOf(view), 0);
     drawing.drawnCells = 0;
     return drawing;
   }
 
+  void setLayers(const RayLayers* layers) override { layers_ = layers; }
+
  private:
+  void compositeLayers(Image& image) const {
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        float* const sum = image.pixel(x, y);
+        LayersOfRay(layers_->at(x, y)).rest([&](const std::array<float, 4>& rgba) {
+          const float through = 1 - sum[3];
+          for (std::size_t c = 0; c < 4; ++c) sum[c] += through * rgba[c];
+        });
+      }
+  }
+
   bool certificate_;
+  const RayLayers* layers_ = nullptr;
 };
 
 class PartRenderer final : public Renderer {
@@ -36,6 +51,8 @@ class PartRenderer final : public Renderer {
     drawing.drawnCells = part_->mesh.tetrahedra.size();
     return drawing;
   }
+
+  void setLayers(const RayLayers* layers) override { renderer_->setLayers(layers); }
 
  private:
   std::unique_ptr<PreparedScene> part_;  // the renderer draws it

@@ -59,7 +59,34 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"CameraZoomZero", rendering({"--camera", "0,0,0"}), "zoom"},
                     Refused{"CameraText", rendering({"--camera", "left"}), "left"},
                     Refused{"Projection", rendering({"--projection", "orthografic"}), "'orthographic'"},
-                    Refused{"Background", rendering({"--background", "whte"}), "whte"}),
+                    Refused{"Background", rendering({"--background", "whte"}), "whte"},
+                    Refused{"BackgroundOfHalfAGradient", rendering({"--background", "white.."}), "BOTTOM..TOP"},
+                    Refused{"BackgroundOfNothingBelow", rendering({"--background", "none..red"}), "BOTTOM..TOP"}),
+    nameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(
+    Shape, BadOption,
+    testing::Values(Refused{"OutlineColor", rendering({"--outline", "color=rde"}), "magenta"},
+                    Refused{"OutlineSetting", rendering({"--outline", "with=2"}), "'width'"},
+                    Refused{"OutlineWithoutValue", rendering({"--outline", "width"}), "width=VALUE"},
+                    Refused{"OutlineEmpty", rendering({"--outline", ""}), "--outline"},
+                    Refused{"OutlineWidthZero", rendering({"--outline", "width=0"}), "pixels wide"},
+                    Refused{"OutlineWidthNaN", rendering({"--outline", "width=nan"}), "pixels wide"},
+                    Refused{"OutlineTooWide", rendering({"--outline", "width=65"}), "64"},
+                    Refused{"SurfaceOpacityZero", rendering({"--surface", "opacity=0"}), "opacity"},
+                    Refused{"SurfaceOpacityText", rendering({"--surface", "opacity=half"}), "'half'"},
+                    Refused{"SurfaceColorBeyondOne", rendering({"--surface", "color=0,0,2"}), "0,0,2"},
+                    Refused{"SurfaceShading", rendering({"--surface", "shading=flt"}), "'flat'"},
+                    Refused{"WireFrameOpacity", rendering({"--wireframe", "opacity=1.5"}), "opacity"},
+                    Refused{"WireFrameAngle", rendering({"--wireframe", "feature_angle=181"}), "180"},
+                    Refused{"WireFrameAngleNaN", rendering({"--wireframe", "feature_angle=nan"}), "180"},
+                    Refused{"SurfaceInAnUnorderedMode", rendering({"--mode", "maximum", "--surface", "default"}),
+                            "volume or isosurfaces"},
+                    Refused{"WireFrameInAnUnorderedMode", rendering({"--mode", "xray", "--wireframe", "default"}),
+                            "volume or isosurfaces"},
+                    Refused{"SurfaceOfCells", rendering({"--visibility", "cells", "--surface", "default"}),
+                            "kbuffer or abuffer"},
+                    Refused{"OfTheReference", {"reference", "cube.node", "--surface", "opacity=2"}, "opacity"}),
     nameOfCase);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -42,11 +42,11 @@ TEST_F(Render, JsonHoldsEveryKey) {
   EXPECT_THAT(keysOf(json["stages_ms"]), testing::IsSupersetOf({"read", "faces", "order", "upload", "table", "draw",
                                                                 "flush", "readback", "total"}));
   EXPECT_THAT(keysOf(json["settings"]),
-              testing::UnorderedElementsAre("transfer_function", "mode", "isosurfaces", "clip_plane", "clip_box",
-                                            "cut_box", "threshold", "lighting", "lights", "shadows", "occlusion",
-                                            "scattering", "modulation", "camera", "size", "background", "visibility",
-                                            "k", "k_auto", "sort", "lookup", "table", "table_format", "target_format",
-                                            "early_termination", "composite_late", "threads", "repeat"));
+              testing::UnorderedElementsAre(
+                  "transfer_function", "mode", "isosurfaces", "outline", "surface", "wireframe", "clip_plane",
+                  "clip_box", "cut_box", "threshold", "lighting", "lights", "shadows", "occlusion", "scattering",
+                  "modulation", "camera", "size", "background", "visibility", "k", "k_auto", "sort", "lookup", "table",
+                  "table_format", "target_format", "early_termination", "composite_late", "threads", "repeat"));
 }
 
 // The unit cube as it is wanted: half of it, nothing of it, from the middle of it.

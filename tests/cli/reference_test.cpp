@@ -42,11 +42,11 @@ TEST_F(Reference, JsonHoldsWhatHasAMeaning) {
   EXPECT_THAT(keysOf(json),
               testing::UnorderedElementsAre("mesh", "field", "settings", "device", "stages_ms", "frame_ms", "cpu_ms",
                                             "peak_memory_bytes", "defects", "notes", "outputs"));
-  EXPECT_THAT(
-      keysOf(json["settings"]),
-      testing::UnorderedElementsAre("transfer_function", "mode", "isosurfaces", "clip_plane", "clip_box", "cut_box",
-                                    "threshold", "lighting", "lights", "shadows", "occlusion", "scattering",
-                                    "modulation", "camera", "size", "background", "threads", "repeat"));
+  EXPECT_THAT(keysOf(json["settings"]),
+              testing::UnorderedElementsAre("transfer_function", "mode", "isosurfaces", "outline", "surface",
+                                            "wireframe", "clip_plane", "clip_box", "cut_box", "threshold", "lighting",
+                                            "lights", "shadows", "occlusion", "scattering", "modulation", "camera",
+                                            "size", "background", "threads", "repeat"));
   EXPECT_THAT(keysOf(json["stages_ms"]), testing::UnorderedElementsAre("read", "prepare", "faces", "draw", "total"));
   EXPECT_EQ(json["device"], (nlohmann::json{{"name", "reference"}, {"tiles", 2}}));
   EXPECT_EQ(json["mesh"]["cells"], 6);

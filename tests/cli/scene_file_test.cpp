@@ -64,6 +64,9 @@ TEST_F(SceneFile, SavedFromACommandLineDrawsTheSame) {
       {"--isosurface", "0.75,red,0.5", "--isosurface", "1.5,0.25,0.5,0.75", "--isosurface", "2,,0.125", "--isosurface",
        "2.5,#102030", "--isosurface", "1", "--device", "native"},
       {"--mode", "isosurfaces", "--isosurface", "1.25"},
+      {"--background", "#102030..1,0.5,0", "--outline", "default", "--wireframe", "color=0.5,0.25,1,feature_angle=10"},
+      {"--outline", "color=red,width=3", "--surface", "color=#102030,opacity=0.5,shading=none", "--wireframe",
+       "width=2.5,opacity=0.75"},
       {"--paper", "--device", "native", "--k", "auto", "--tetgen", "pq", "--field", "attribute0"}};
   for (const auto& line : lines) {
     std::vector<std::string> all{"render", "cube.node", "--size",       "40x30",
@@ -91,6 +94,13 @@ TEST_F(SceneFile, TheCommandLineWinsAndSetComesBeforeIt) {
   EXPECT_EQ(settings({"scene.json", "--set", "k=5"})["settings"]["k"], 5);
   EXPECT_EQ(settings({"scene.json", "--set", "k=5", "--k", "2"})["settings"]["k"], 2);
   EXPECT_EQ(settings({"scene.json", "--set", "background=black"})["settings"]["background"], (Json{0.0, 0.0, 0.0}));
+  const Json gradient{{"bottom", {0.0, 0.5, 1.0}}, {"top", {1.0, 1.0, 1.0}}};
+  for (const std::string& background : std::vector<std::string>{"0,0.5,1..white", gradient.dump()})
+    EXPECT_EQ(settings({"scene.json", "--set", "background=" + background})["settings"]["background"], gradient);
+  const Json line{{"color", {0.25, 0.5, 1.0}}, {"width", 2.0}};
+  EXPECT_EQ(settings({"scene.json", "--set", "outline=" + line.dump()})["settings"]["outline"], line);
+  EXPECT_EQ(settings({"scene.json", "--set", "outline=default"})["settings"]["outline"]["width"], 1.5);
+  EXPECT_EQ(settings({"scene.json"})["settings"]["outline"], Json());
   EXPECT_EQ(settings({"scene.json", "--set", "size=[8, 9]"})["settings"]["size"], (Json{8, 9}));
   const Json box{0.0, 1.0, 0.0, 1.0, 0.0, 0.5}, other{0.0, 1.0, 0.0, 0.5, 0.0, 1.0};
   const std::string oneBox = "clip_box=" + box.dump(), twoBoxes = "clip_box=" + Json{box, other}.dump();
@@ -132,6 +142,11 @@ TEST_F(SceneFile, WrongOnesAreRefused) {
   refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"value": "1"}]})", "'isosurfaces' must be");
   refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": [{"value": 1, "colour": "red"}]})", "'color'");
   refused(R"({"version": 1, "mesh": "cube.node", "isosurfaces": {"value": 1, "opacity": 2}})", "opacity");
+  refused(R"({"version": 1, "mesh": "cube.node", "background": {"bottom": "red"}})", "'background' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "outline": 2})", "'outline' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "surface": {"opacity": true}})", "'surface' must be");
+  refused(R"({"version": 1, "mesh": "cube.node", "surface": {"opcity": 1}})", "'opacity'");
+  refused(R"({"version": 1, "mesh": "cube.node", "wireframe": {"color": [1, 2]}})", "'wireframe' must be");
   refused(R"({"version": 1, "mesh": "no.node"})", "no.node");
   refused(R"({"version": 1, "mesh": "cube.node", "sort": "toplogical"})", "topological");
   expectRefused({"render", "nowhere.json"}, "nowhere.json");

@@ -10,6 +10,7 @@
 #include "gl/program_cache.h"
 #include "render/gl/abuffer_tiles.h"
 #include "render/gl/drawing_steps.h"
+#include "render/gl/layer_buffers.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
@@ -59,6 +60,8 @@ class ABufferRenderer final : public Renderer {
   }
 
   Drawing draw(const View& view, StageTimes& stages, const Progress&) override {
+    layers_.reset();
+    if (toComposite_ != nullptr) layers_.emplace(*toComposite_);
     Drawing drawing;
     drawing.image = emptyPicture(view);
     drawing.tiles = 0;
@@ -69,9 +72,9 @@ class ABufferRenderer final : public Renderer {
       std::vector<std::uint32_t> counts;
       drawTime.time([&] { counts = countFragments(view, part); });
       colorFramebuffer_->clear(0, kZero);
-      for (const FragmentTile& tile : cutByFragments(counts, part.width, plan_.mostFragments)) {
+      for (const FragmentTile& tile : cutByFragments(counts, part.width, plan_.mostFragments, layers_.has_value())) {
         drawTime.time([&] { storeFragments(view, part, tile, listBegins(counts, part.width, tile.area)); });
-        flushTime.time([&] { resolve(tile.area); });
+        flushTime.time([&] { resolve(part, tile.area); });
         drawing.fragments += tile.fragments;
         ++drawing.tiles;
       }
@@ -82,6 +85,8 @@ class ABufferRenderer final : public Renderer {
     drawing.fragmentBytes = fragments_ ? fragments_->bytes() : 0;
     return drawing;
   }
+
+  void setLayers(const RayLayers* layers) override { toComposite_ = layers; }
 
  private:
   /// None can come too late: a segment is drawn when all fragments of its pixel lie sorted.
@@ -138,7 +143,7 @@ class ABufferRenderer final : public Renderer {
                       const std::vector<std::uint32_t>& begins) {
     const auto afterLast = std::span(begins).subspan(1);
     ends_->upload(std::span(begins).first(begins.size() - 1));
-    reserve(tile.fragments);
+    reserve(std::max<std::size_t>(1, tile.fragments));
     bindLists();
     countFramebuffer_->bind();
     glViewport(0, 0, part.width, part.height);
@@ -174,13 +179,14 @@ class ABufferRenderer final : public Renderer {
     program.set("tileWidth", area.width);
   }
 
-  void resolve(const Tile& area) {
+  void resolve(const Tile& part, const Tile& area) {
     colorFramebuffer_->bind();
     const Scissors scissors(area);
     resolve_.use();
     setTile(resolve_, area);
     resolve_.set("terminalOpacity", static_cast<float>(plan_.earlyTermination));
     textures_->bind(resolve_);
+    if (layers_) layers_->bind(resolve_, part);
     emptyArray_.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
@@ -192,6 +198,8 @@ class ABufferRenderer final : public Renderer {
   const Program& store_;
   const Program& resolve_;
   VertexArray emptyArray_{"no vertices"};
+  const RayLayers* toComposite_ = nullptr;
+  std::optional<LayerBuffers> layers_;
   std::optional<LookupTextures> textures_;
   std::optional<MeshBuffers> mesh_;
   std::optional<Texture> countTarget_, colorTarget_;

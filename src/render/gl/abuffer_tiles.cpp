@@ -14,11 +14,12 @@ void refusePixel(std::size_t fragments, std::size_t mostFragments) {
 }
 
 /// One row in stretches.
-void cutRow(std::span<const std::uint32_t> row, int y, std::size_t mostFragments, std::vector<FragmentTile>& tiles) {
+void cutRow(std::span<const std::uint32_t> row, int y, std::size_t mostFragments, bool emptyOnes,
+            std::vector<FragmentTile>& tiles) {
   int begin = 0;
   std::size_t sum = 0;
   auto close = [&](int end) {
-    if (sum > 0) tiles.push_back({{begin, y, end - begin, 1}, sum});
+    if (sum > 0 || (emptyOnes && end > begin)) tiles.push_back({{begin, y, end - begin, 1}, sum});
     begin = end;
     sum = 0;
   };
@@ -33,24 +34,25 @@ void cutRow(std::span<const std::uint32_t> row, int y, std::size_t mostFragments
 
 }  // namespace
 
-std::vector<FragmentTile> cutByFragments(std::span<const std::uint32_t> counts, int width, std::size_t mostFragments) {
+std::vector<FragmentTile> cutByFragments(std::span<const std::uint32_t> counts, int width, std::size_t mostFragments,
+                                         bool emptyOnes) {
   const auto stride = static_cast<std::size_t>(width);
   const int height = static_cast<int>(counts.size() / stride);
   std::vector<FragmentTile> tiles;
   int begin = 0;
   std::size_t sum = 0;
   auto close = [&](int end) {
-    if (sum > 0) tiles.push_back({{0, begin, width, end - begin}, sum});
+    if (sum > 0 || (emptyOnes && end > begin)) tiles.push_back({{0, begin, width, end - begin}, sum});
     begin = end;
     sum = 0;
   };
   for (int y = 0; y < height; ++y) {
     const auto row = counts.subspan(static_cast<std::size_t>(y) * stride, stride);
     const auto count = std::accumulate(row.begin(), row.end(), std::size_t{0});
-    if (count == 0 && sum == 0) begin = y + 1;  // rows without fragments before a strip
+    if (count == 0 && sum == 0 && !emptyOnes) begin = y + 1;  // rows without fragments before a strip
     if (sum + count > mostFragments) close(y);
     if (count > mostFragments) {
-      cutRow(row, y, mostFragments, tiles);
+      cutRow(row, y, mostFragments, emptyOnes, tiles);
       begin = y + 1;
     } else {
       sum += count;

@@ -75,8 +75,8 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, 
   plan.targetFormat = targetFormat(scene.targetFormat);
   plan.bytesPerPixel = plan.targetFormat.bytesPerTarget * (1 + plan.entryTargets);
   // Behind an opaque surface nothing is seen. A certificate counts what comes to a pixel, done or not.
-  plan.marksDonePixels =
-      !scene.certificate && (scene.earlyTermination > 0 || plan.opaqueSurfaces || plan.opaqueIsosurfaces);
+  plan.marksDonePixels = !scene.certificate && (scene.earlyTermination > 0 || plan.opaqueSurfaces ||
+                                                plan.opaqueIsosurfaces || plan.opaqueLayers);
   if (plan.marksDonePixels) plan.bytesPerPixel += 1;
   plan.defines.push_back({"HAVS_K", std::to_string(plan.k)});
   plan.defines.push_back({"HAVS_ENTRY_TARGETS", std::to_string(plan.entryTargets)});

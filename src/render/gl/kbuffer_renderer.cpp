@@ -12,6 +12,7 @@
 #include "render/gl/done_pixels.h"
 #include "render/gl/drawing_steps.h"
 #include "render/gl/kbuffer_targets.h"
+#include "render/gl/layer_buffers.h"
 #include "render/gl/lookup_textures.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/renderers.h"
@@ -53,6 +54,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     if (light_) setLight(view, stages);
     FrameTimes times(stages);
     times.order.time([&] { sorter_->sort(viewPointOf(view), order_); });
+    times.upload.time([&] { uploadLayers(); });
     Drawing drawing = drawInOrder(view, times);
     if (hasLate(drawing)) {
       bool better = false;
@@ -61,6 +63,8 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     }
     return drawing;
   }
+
+  void setLayers(const RayLayers* layers) override { toComposite_ = layers; }
 
   void changeK(const RenderPlan& plan) override {
     plan_ = plan;
@@ -95,6 +99,11 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     drawing.cycles = order_.cycles;
     drawing.tiles = tiles.size();
     return drawing;
+  }
+
+  void uploadLayers() {
+    layers_.reset();
+    if (toComposite_ != nullptr) layers_.emplace(*toComposite_);
   }
 
   bool hasLate(const Drawing& drawing) const {
@@ -184,6 +193,7 @@ class KBufferRenderer final : public Renderer, public ChangesK {
     program.set("terminalOpacity", terminalOpacity());
     program.set("mostExtinction", mostExtinction_);
     textures_->bind(program);
+    if (layers_) layers_->bind(program, tile);
   }
 
   RenderPlan plan_;
@@ -199,6 +209,8 @@ class KBufferRenderer final : public Renderer, public ChangesK {
   std::optional<MeshBuffers> mesh_;
   std::optional<LightData> light_;  ///< only where the plan is lit
   std::size_t lightVersion_ = 0;
+  const RayLayers* toComposite_ = nullptr;
+  std::optional<LayerBuffers> layers_;
   std::optional<KBufferTargets> targets_;
   std::optional<DonePixels> done_;             ///< only where the plan marks them
   std::optional<CertificateCounter> counter_;  ///< only where the plan asks for a certificate

@@ -52,7 +52,8 @@ void planNativeKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& f
   if (plan.speculate && plan.k > 1 && !(plan.earlyTermination > 0))
     addProgram(plan, "ordered tiles", "", "last fragment, " + plan.instructionSet,
                "most pixels have their fragments in order; the others are drawn again", {});
-  planTiles(plan, 2 + plan.k * (2 + numbersOf(plan.lookup.carries)), "k is " + std::to_string(plan.k));
+  const int ofLayers = plan.layers ? 2 : 0;  // the next, and the end
+  planTiles(plan, 2 + plan.k * (2 + numbersOf(plan.lookup.carries)) + ofLayers, "k is " + std::to_string(plan.k));
   addItem(plan, PlanKind::pass, "draw the tiles", "draw", "the mode " + plan.mode);
 }
 

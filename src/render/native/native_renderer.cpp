@@ -96,6 +96,8 @@ class NativeRenderer final : public Renderer {
     return drawing;
   }
 
+  void setLayers(const RayLayers* layers) override { setting_.layers = layers; }
+
  private:
   /// With the sides of faces that the fill rule sees.
   static ViewPoint viewPoint(const View& view) {

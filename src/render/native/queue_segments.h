@@ -27,6 +27,9 @@ void queueSegment(TileDraw& tile, Segment segment, unsigned bits, int firstPixel
       Lanes::compress(&queue.back[channel][at], segment.back.number(i), mask, bits);
     }
   }
+  if constexpr (requires { segment.middle; }) {
+    if (tile.layers != nullptr) Lanes::compress(&queue.middle[at], segment.middle, mask, bits);
+  }
   Lanes::compress(&queue.length[at], segment.length, mask, bits);
   Lanes::compressInts(&queue.pixel[at], Lanes::makeInt(firstPixel) + Lanes::loadInts(kLaneNumber), mask, bits);
   queue.count = at + static_cast<std::size_t>(std::popcount(bits));

@@ -14,6 +14,7 @@ struct SegmentQueue {
   alignas(64) std::array<float, kRoom> scalarFront;
   alignas(64) std::array<float, kRoom> scalarBack;
   alignas(64) std::array<float, kRoom> length;  ///< local units, >= 0
+  alignas(64) std::array<float, kRoom> middle;  ///< their distance along the ray; where layers come between them
   /// Of segments whose ends carry colours (Payload::color), in place of the scalars: r, g, b and extinction as a
   /// fraction of the largest. Of those that carry light (Payload::lit), besides the scalars: light and density.
   alignas(64) std::array<std::array<float, kRoom>, 4> front;

@@ -10,6 +10,8 @@
 
 namespace havs {
 
+struct RayLayer;
+
 /// Pixels are drawn in stamps of 4 x 4, whatever the lanes, so that their arithmetic is the same for all: lane i is the
 /// pixel (i % 4, i / 4) of its stamp.
 inline constexpr int kStampSide = 4;
@@ -57,6 +59,10 @@ struct TileDraw {
   const float* rayScale;   ///< length along the ray for one unit of depth
   float* rgba;             ///< of each pixel, four numbers, premultiplied
   std::uint32_t* late;     ///< of each pixel: late fragments; null: not counted
+
+  const RayLayer* layers;         ///< of all pixels of the picture; null: none come between segments
+  std::uint32_t* nextLayer;       ///< of each pixel: the first of these that is not composited yet
+  const std::uint32_t* endLayer;  ///< of each pixel: behind its last one
 
   std::size_t activePixels;  ///< the drawing ends when none is left
   bool compositeLate;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "core/arithmetic.h"
 
@@ -60,6 +61,34 @@ void flushQueue(TileDraw& tile) {
   queue.count = 0;
 }
 
+/// The layers of a pixel nearer than `distance`, of those left.
+void takeLayers(TileDraw& tile, std::size_t pixel, double distance) {
+  Four& sum = reinterpret_cast<Four*>(tile.rgba)[pixel];
+  std::uint32_t& next = tile.nextLayer[pixel];
+  for (; next < tile.endLayer[pixel] && tile.layers[next].distance < distance; ++next) {
+    if (sum[3] >= tile.terminalOpacity) return;
+    sum = compositeUnder(sum, *reinterpret_cast<const Four*>(tile.layers[next].rgba.data()));
+  }
+}
+
+/// flushQueue with layers between the segments.
+void flushAmongLayers(TileDraw& tile) {
+  SegmentQueue& queue = *tile.queue;
+  if (queue.count == 0) return;
+  static_cast<const SegmentShader*>(tile.shader)->shade(queue);
+  Four* const rgba = reinterpret_cast<Four*>(tile.rgba);
+  const Four* const color = reinterpret_cast<const Four*>(queue.rgba.data());
+  for (std::size_t i = 0; i < queue.count; ++i) {
+    const auto pixel = static_cast<std::size_t>(queue.pixel[i]);
+    Four& sum = rgba[pixel];
+    if (sum[3] >= tile.terminalOpacity) continue;
+    takeLayers(tile, pixel, static_cast<double>(queue.middle[i]));
+    if (sum[3] < tile.terminalOpacity) sum = compositeUnder(sum, color[i]);
+    if (sum[3] >= tile.terminalOpacity) endPixel(tile, pixel);
+  }
+  queue.count = 0;
+}
+
 }  // namespace
 
 TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid& grid, const TileSetting& setting)
@@ -67,6 +96,7 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
   queue_->scalarFront.fill(0);  // kernels read whole lanes
   queue_->scalarBack.fill(0);
   queue_->length.fill(0);
+  queue_->middle.fill(0);
   for (int i = 0; i < 4; ++i) {
     queue_->front[static_cast<std::size_t>(i)].fill(0);
     queue_->back[static_cast<std::size_t>(i)].fill(0);
@@ -80,6 +110,10 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
   rayScale_.resize(pixels);
   rgba_.resize(4 * pixels);
   if (setting.certificate) late_.resize(pixels);
+  if (setting.layers != nullptr) {
+    nextLayer_.resize(pixels);
+    endLayer_.resize(pixels);
+  }
 
   tile_.mesh = mesh;
   tile_.stampsAcross = tile_.stampsDown = grid.side / kStampSide;
@@ -93,7 +127,10 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
   tile_.sameDistance = mesh.cellData ? Arithmetic<FloatLane>::kLateTolerance : 0;
   tile_.flushAlways = setting.certificate && setting.terminalOpacity <= 1;
   tile_.queue = queue_.get();
-  tile_.flush = setting.adds ? addQueue : flushQueue;
+  tile_.flush = setting.adds ? addQueue : setting.layers != nullptr ? flushAmongLayers : flushQueue;
+  if (setting.layers != nullptr) tile_.layers = setting.layers->layers.data();
+  tile_.nextLayer = nextLayer_.data();
+  tile_.endLayer = endLayer_.data();
   tile_.shader = setting.shader;
   tile_.light = setting.light;
   tile_.terminalOpacity = setting.terminalOpacity;
@@ -117,6 +154,29 @@ void TileWorker::place(std::size_t tile) {
     }
 }
 
+/// None of them is composited.
+void TileWorker::startLayers() {
+  std::fill(nextLayer_.begin(), nextLayer_.end(), 0u);  // beside the picture there are none
+  std::fill(endLayer_.begin(), endLayer_.end(), 0u);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) restartLayers(pixelAt(tile_, x, y));
+}
+
+void TileWorker::restartLayers(std::size_t pixel) {
+  const int stamp = static_cast<int>(pixel) / kStampPixels, lane = static_cast<int>(pixel) % kStampPixels;
+  const int x = stamp % tile_.stampsAcross * kStampSide + lane % kStampSide;
+  const int y = stamp / tile_.stampsAcross * kStampSide + lane / kStampSide;
+  const RayLayers& layers = *setting_.layers;
+  const std::size_t from = layers.pixel(tile_.left + x, tile_.top + y);
+  nextLayer_[pixel] = layers.begin[from];
+  endLayer_[pixel] = layers.begin[from + 1];
+}
+
+void TileWorker::takeRestOfLayers() {
+  for (std::size_t pixel = 0; pixel < nextLayer_.size(); ++pixel)
+    takeLayers(tile_, pixel, std::numeric_limits<double>::infinity());
+}
+
 void TileWorker::run(TileKernel kernel, std::span<const std::uint32_t> faces) {
   tile_.faces = faces.data();
   tile_.faceCount = faces.size();
@@ -126,12 +186,14 @@ void TileWorker::run(TileKernel kernel, std::span<const std::uint32_t> faces) {
 }
 
 void TileWorker::draw(std::size_t tile, std::span<const std::uint32_t> faces, Drawing& drawing) {
-  if (faces.empty()) return;
+  if (faces.empty() && setting_.layers == nullptr) return;
   place(tile);
+  if (setting_.layers != nullptr) startLayers();
   tile_.fragments = 0;
   run(setting_.ordered != nullptr ? setting_.ordered : setting_.kernel, faces);
   fragments_ += tile_.fragments;
   if (setting_.ordered != nullptr) redraw(faces);
+  if (setting_.layers != nullptr) takeRestOfLayers();
   write(drawing);
 }
 
@@ -144,6 +206,7 @@ void TileWorker::redraw(std::span<const std::uint32_t> faces) {
     for (unsigned left = flagged_[stamp]; left != 0; left &= left - 1) {
       const std::size_t pixel = stamp * kStampPixels + static_cast<std::size_t>(std::countr_zero(left));
       std::fill_n(&rgba_[4 * pixel], 4, 0.0f);
+      if (setting_.layers != nullptr) restartLayers(pixel);
     }
   }
   if (pixels == 0) return;

@@ -21,6 +21,7 @@ struct TileSetting {
   bool compositeLate = false;
   float terminalOpacity = 2;
   const SegmentShader* shader = nullptr;
+  const RayLayers* layers = nullptr;       ///< null: none
   const TileLight* light = nullptr;        ///< Payload::lit
   bool adds = false;                       ///< segments add up in a pixel, instead of being composited
   std::array<float, 4> start{0, 0, 0, 0};  ///< what a pixel holds before anything is drawn
@@ -37,6 +38,9 @@ class TileWorker {
 
  private:
   void place(std::size_t tile);
+  void startLayers();
+  void restartLayers(std::size_t pixel);
+  void takeRestOfLayers();
   void run(TileKernel kernel, std::span<const std::uint32_t> faces);
   void redraw(std::span<const std::uint32_t> faces);
   void write(Drawing& drawing) const;
@@ -50,6 +54,7 @@ class TileWorker {
   std::vector<std::uint16_t> active_, flagged_;
   std::vector<float> state_, rayScale_, rgba_;
   std::vector<std::uint32_t> late_;
+  std::vector<std::uint32_t> nextLayer_, endLayer_;
   std::unique_ptr<SegmentQueue> queue_;
   std::uint64_t fragments_ = 0;
 };
