@@ -5,6 +5,7 @@
 #include "app/print_json.h"
 #include "app/render_report.h"
 #include "app/scene_file.h"
+#include "app/scene_views.h"
 #include "core/error.h"
 #include "core/output_file.h"
 #include "image/image.h"
@@ -45,29 +46,44 @@ void readSceneFile(PictureOptions& options) {
   }
 }
 
-Scene checkedScene(const PictureOptions& options) {
-  const Scene scene = makeScene(options.scene);
+std::vector<AskedPicture> askedPictures(const PictureOptions& options) {
   if (options.pngBits != 8 && options.pngBits != 16)
     failInput(fmt::format("must be 8 or 16, not {}", options.pngBits), "--png-bits");
-  for (const auto& output : options.outputs) checkImagePath(output);
-  return scene;
+  if (!options.outputs.empty()) refuseViews(options.scene, "--output");
+  std::vector<AskedPicture> pictures;
+  for (const SceneOptions& view : optionsOfViews(options.scene)) pictures.push_back({makeScene(view), options.outputs});
+  for (std::size_t i = 0; i < options.scene.views.size() && options.outputs.empty(); ++i)
+    pictures[i].outputs = options.scene.views[i].outputs;
+  for (const AskedPicture& picture : pictures)
+    for (const auto& output : picture.outputs) checkImagePath(output);
+  return pictures;
 }
 
-void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report,
-             const MaxErrorReport* error) {
+std::vector<Scene> scenesOf(std::span<const AskedPicture> pictures) {
+  std::vector<Scene> scenes;
+  for (const AskedPicture& picture : pictures) scenes.push_back(picture.scene);
+  return scenes;
+}
+
+void deliver(const PictureOptions& options, std::span<const AskedPicture> pictures,
+             std::span<const RenderReport> reports, const MaxErrorReport* error) {
   if (!options.savedScene.empty()) {
     OutputFile file(options.savedScene);
     file.write(sceneFileOf(options.scene, options.outputs, options.savedScene));
     file.commit();
   }
-  for (const auto& output : options.outputs) writeImage(report.image, output, {scene.background, options.pngBits});
-  if (options.json) {
-    nlohmann::ordered_json json = reportAsJson(scene, report, options.outputs);
-    if (error != nullptr) json["max_error"] = errorAsJson(*error);
-    printJson(json);
-  } else if (!options.quiet) {
-    fmt::print("{}{}", reportAsText(scene, report, options.outputs), error != nullptr ? errorAsText(*error) : "");
+  nlohmann::ordered_json views;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const auto& [scene, outputs] = pictures[i];
+    for (const auto& output : outputs) writeImage(reports[i].image, output, {scene.background, options.pngBits});
+    if (options.json) {
+      nlohmann::ordered_json& json = views.emplace_back(reportAsJson(scene, reports[i], outputs));
+      if (error != nullptr) json["max_error"] = errorAsJson(*error);
+    } else if (!options.quiet) {
+      fmt::print("{}{}", reportAsText(scene, reports[i], outputs), error != nullptr ? errorAsText(*error) : "");
+    }
   }
+  if (options.json) printJson(views.size() == 1 ? views[0] : nlohmann::ordered_json{{kViewsKey, views}});
 }
 
 }  // namespace havs

@@ -1,6 +1,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "app/max_error.h"
@@ -28,12 +29,20 @@ void addPictureOptions(CLI::App& command, PictureOptions& options);
 /// Completes the options by the scene file, where INPUT is one (app/scene_file.h). Throws Error{input}.
 void readSceneFile(PictureOptions& options);
 
-/// The scene that was asked for. Throws Error{input} for anything wrong with it, and for pictures that cannot be
-/// written.
-Scene checkedScene(const PictureOptions& options);
+/// What was asked for: one scene, or one for each view of the scene file, which differ by the camera alone, and where
+/// its picture goes.
+struct AskedPicture {
+  Scene scene;
+  std::vector<std::filesystem::path> outputs;
+};
+/// At least one. Throws Error{input} for anything wrong with the scene, and for pictures that cannot be written.
+std::vector<AskedPicture> askedPictures(const PictureOptions& options);
+/// Their scenes.
+std::vector<Scene> scenesOf(std::span<const AskedPicture> pictures);
 
-/// Writes the pictures and prints the report that was asked for; `error`: of `havs render --max-error`. Throws Error.
-void deliver(const PictureOptions& options, const Scene& scene, const RenderReport& report,
-             const MaxErrorReport* error = nullptr);
+/// Writes the pictures and prints the reports, one for each, that were asked for; `error`: of `havs render
+/// --max-error`, which takes one picture. Throws Error.
+void deliver(const PictureOptions& options, std::span<const AskedPicture> pictures,
+             std::span<const RenderReport> reports, const MaxErrorReport* error = nullptr);
 
 }  // namespace havs

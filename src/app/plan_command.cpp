@@ -21,7 +21,7 @@ void addPlanCommand(CLI::App& program) {
   addPictureOptions(*command, *options);
   command->callback([options] {
     readSceneFile(*options);
-    const RenderPlan plan = planScene(checkedScene(*options), terminalProgress(options->quiet));
+    const RenderPlan plan = planScene(askedPictures(*options).front().scene, terminalProgress(options->quiet));
     if (options->json) {
       printJson({{"plan", planAsJson(plan.items)}});
     } else {

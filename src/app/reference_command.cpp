@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/picture_options.h"
+#include "app/scene_views.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "image/mask.h"
@@ -18,12 +19,17 @@ struct ReferenceOptions {
 };
 
 void draw(const ReferenceOptions& options) {
-  const Scene scene = checkedScene(options.picture);
+  const std::vector<AskedPicture> pictures = askedPictures(options.picture);
   const bool edgeMask = !options.edgeMask.empty();
-  if (edgeMask) checkMaskPath(options.edgeMask);
-  const RenderReport report = drawReference(scene, edgeMask, terminalProgress(options.picture.quiet));
-  if (edgeMask) writeMask(report.edgeMask, scene.width, scene.height, options.edgeMask);
-  deliver(options.picture, scene, report);
+  if (edgeMask) {
+    refuseViews(options.picture.scene, "--edge-mask");
+    checkMaskPath(options.edgeMask);
+  }
+  const std::vector<RenderReport> reports =
+      drawReferences(scenesOf(pictures), edgeMask, terminalProgress(options.picture.quiet));
+  const Scene& scene = pictures.front().scene;
+  if (edgeMask) writeMask(reports.front().edgeMask, scene.width, scene.height, options.edgeMask);
+  deliver(options.picture, pictures, reports);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/max_error.h"
 #include "app/picture_options.h"
+#include "app/scene_views.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "image/image.h"
@@ -37,18 +38,30 @@ void writeCertificateMask(const Scene& scene, const RenderReport& report, const 
   writeImage(certificatePicture(*report.certificate, report.image.width), file);
 }
 
+/// Of what is for one picture.
+void refuseSeveral(const RenderOptions& options) {
+  if (!options.certificateMask.empty()) refuseViews(options.picture.scene, "--certificate-mask");
+  if (goalOf(options.maxError)) refuseViews(options.picture.scene, "--max-error");
+}
+
 void render(const RenderOptions& options) {
-  Scene scene = checkedScene(options.picture);
+  std::vector<AskedPicture> pictures = askedPictures(options.picture);
+  refuseSeveral(options);
   const bool wantsMask = !options.certificateMask.empty();
-  if (options.certificate || wantsMask) scene.certificate = true;
   if (wantsMask) checkImagePath(options.certificateMask);
+  if (options.certificate || wantsMask)
+    for (AskedPicture& picture : pictures) picture.scene.certificate = true;
   const Progress progress = terminalProgress(options.picture.quiet);
   const std::optional<ErrorGoal> goal = goalOf(options.maxError);
   MaxErrorReport error;
-  const RenderReport report =
-      goal ? renderWithin(*goal, options.maxError.verify, scene, error, progress) : renderScene(scene, progress);
-  if (wantsMask) writeCertificateMask(scene, report, options.certificateMask);
-  deliver(options.picture, scene, report, goal ? &error : nullptr);
+  std::vector<RenderReport> reports;
+  if (goal) {
+    reports.push_back(renderWithin(*goal, options.maxError.verify, pictures.front().scene, error, progress));
+  } else {
+    reports = renderScenes(scenesOf(pictures), progress);
+  }
+  if (wantsMask) writeCertificateMask(pictures.front().scene, reports.front(), options.certificateMask);
+  deliver(options.picture, pictures, reports, goal ? &error : nullptr);
 }
 
 }  // namespace

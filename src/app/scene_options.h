@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,12 @@
 #include "scene/scene.h"
 
 namespace havs {
+
+/// One view of a scene file that has several: what of it is set goes before the scene's own.
+struct ViewOptions {
+  std::optional<std::string> camera, projection;
+  std::vector<std::filesystem::path> outputs;
+};
 
 /// The options of a scene as typed; unset ones leave the default (or what --paper says).
 struct SceneOptions {
@@ -26,6 +33,7 @@ struct SceneOptions {
   std::vector<std::string> lights;
   std::optional<double> modulation;
   bool shadows = false;
+  std::vector<ViewOptions> views;  ///< of a scene file (app/scene_views.h)
 };
 
 /// Adds INPUT and all options of a scene to a command. The help of an option that names a row of a table lists the

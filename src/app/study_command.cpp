@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/scene_file.h"
 #include "app/scene_options.h"
+#include "app/scene_views.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "render/devices.h"
@@ -120,7 +121,8 @@ std::vector<Scene> scenesOf(const StudyOptions& options) {
   std::vector<Scene> scenes;
   for (const std::string& input : options.meshes) {
     SceneOptions one = optionsOf(options, input);
-    if (options.cameras.empty()) scenes.push_back(makeScene(one));
+    if (options.cameras.empty())
+      for (const SceneOptions& view : optionsOfViews(one)) scenes.push_back(makeScene(view));
     for (const std::string& camera : options.cameras) {
       one.camera = camera;
       scenes.push_back(makeScene(one));

@@ -112,32 +112,93 @@ RenderReport reportOf(const Scene& scene, const Progress& progress, const Draw& 
   return report;
 }
 
-/// Drawing through a row of visibilityMethods(), for reportOf.
-auto drawingOf(const Scene& scene, const Progress& progress) {
-  return [&scene, &progress](const PreparedScene& prepared, const View& view, RenderReport& report) {
-    const RenderDevice device = openRenderDevice(scene.device, scene.threads);
-    report.renderer = device.renderer;
-    report.glVersion = device.version;
-    const Capabilities& capabilities = device.capabilities;
-    const RenderPlan chosen =
-        plan(withChosenK(scene, prepared, view, capabilities, report.stages, progress), prepared.facts(), capabilities);
-    describePlan(chosen, report);
-    if (chosen.native) report.renderer = describe(instructionSet(chosen.instructionSet));
-    const auto renderer = makeRenderer(prepared, chosen, report.stages, progress);
-    drawRepeatedly(*renderer, scene, view, report, progress);
+/// Draws through a row of visibilityMethods(): pictures of one scene by one renderer, where that can be.
+class SceneDrawer {
+ public:
+  explicit SceneDrawer(const Progress& progress) : progress_(progress) {}
+
+  void draw(const Scene& scene, const PreparedScene& prepared, const View& view, RenderReport& report) {
+    if (!device_) device_.emplace(openRenderDevice(scene.device, scene.threads));
+    if (!renderer_ || wantsKSearch(scene)) {
+      const Capabilities& capabilities = device_->capabilities;
+      renderer_.reset();
+      chosen_ = plan(withChosenK(scene, prepared, view, capabilities, report.stages, progress_), prepared.facts(),
+                     capabilities);
+      renderer_ = makeRenderer(prepared, chosen_, report.stages, progress_);
+    }
+    describePlan(chosen_, report);
+    report.renderer = chosen_.native ? describe(instructionSet(chosen_.instructionSet)) : device_->renderer;
+    report.glVersion = device_->version;
+    drawRepeatedly(*renderer_, scene, view, report, progress_);
     noteUnmendedOrder(scene, report);
-  };
+  }
+
+ private:
+  const Progress& progress_;
+  std::optional<RenderDevice> device_;
+  RenderPlan chosen_;
+  std::unique_ptr<Renderer> renderer_;  // before its device goes
+};
+
+/// The ground truth, by one renderer.
+class ReferenceDrawer {
+ public:
+  ReferenceDrawer(bool edgeMask, const Progress& progress) : edgeMask_(edgeMask), progress_(progress) {}
+
+  void draw(const Scene& scene, const PreparedScene& prepared, const View& view, RenderReport& report) {
+    report.reference = true;
+    if (!renderer_) renderer_ = makeReference(scene, prepared);
+    drawRepeatedly(*renderer_, scene, view, report, progress_);
+    if (edgeMask_) report.edgeMask = boundaryEdgeMask(prepared.points, prepared.faces, view);
+  }
+
+ private:
+  bool edgeMask_;
+  const Progress& progress_;
+  std::unique_ptr<Renderer> renderer_;
+};
+
+/// Of pictures that differ by the camera alone. A drawer's renderer must go before what it draws.
+template <class MakeDrawer>
+std::vector<RenderReport> reportsOf(std::span<const Scene> scenes, const Progress& progress,
+                                    const MakeDrawer& makeDrawer) {
+  std::vector<RenderReport> reports;
+  if (scenes.size() == 1) {
+    reports.push_back(reportOf(scenes[0], progress, [&](const PreparedScene& prepared, const View& view, auto& report) {
+      makeDrawer().draw(scenes[0], prepared, view, report);
+    }));
+    return reports;
+  }
+  checkScene(scenes[0]);
+  const ThreadLimit limit(scenes[0].threads);
+  StageTimes before;
+  const PreparedScene prepared = prepareScene(scenes[0], before, progress);
+  auto drawer = makeDrawer();
+  for (const Scene& scene : scenes) {
+    const auto draw = [&](const PreparedScene& ready, const View& view, RenderReport& report) {
+      drawer.draw(scene, ready, view, report);
+    };
+    reports.push_back(reportOf(scene, progress, draw, &prepared, reports.empty() ? before : StageTimes{}));
+  }
+  return reports;
 }
 
 }  // namespace
 
 RenderReport renderScene(const Scene& scene, const Progress& progress) {
-  return reportOf(scene, progress, drawingOf(scene, progress));
+  return std::move(renderScenes({&scene, 1}, progress)[0]);
 }
 
 RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, const StageTimes& before,
                          const Progress& progress) {
-  return reportOf(scene, progress, drawingOf(scene, progress), &prepared, before);
+  const auto draw = [&](const PreparedScene& ready, const View& view, RenderReport& report) {
+    SceneDrawer(progress).draw(scene, ready, view, report);
+  };
+  return reportOf(scene, progress, draw, &prepared, before);
+}
+
+std::vector<RenderReport> renderScenes(std::span<const Scene> scenes, const Progress& progress) {
+  return reportsOf(scenes, progress, [&] { return SceneDrawer(progress); });
 }
 
 RenderPlan planScene(const Scene& scene, const Progress& progress) {
@@ -150,12 +211,11 @@ RenderPlan planScene(const Scene& scene, const Progress& progress) {
 }
 
 RenderReport drawReference(const Scene& scene, bool edgeMask, const Progress& progress) {
-  return reportOf(scene, progress, [&](const PreparedScene& prepared, const View& view, RenderReport& report) {
-    report.reference = true;
-    const auto renderer = makeReference(scene, prepared);
-    drawRepeatedly(*renderer, scene, view, report, progress);
-    if (edgeMask) report.edgeMask = boundaryEdgeMask(prepared.points, prepared.faces, view);
-  });
+  return std::move(drawReferences({&scene, 1}, edgeMask, progress)[0]);
+}
+
+std::vector<RenderReport> drawReferences(std::span<const Scene> scenes, bool edgeMask, const Progress& progress) {
+  return reportsOf(scenes, progress, [&] { return ReferenceDrawer(edgeMask, progress); });
 }
 
 }  // namespace havs

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/progress.h"
@@ -59,6 +60,11 @@ RenderReport renderScene(const Scene& scene, const Progress& progress = {});
 RenderReport renderScene(const Scene& scene, const PreparedScene& prepared, const StageTimes& before,
                          const Progress& progress = {});
 
+/// Several pictures of one scene, whose `scenes` differ by the camera alone: the mesh is read and made ready once, and
+/// one renderer draws them all, but where k is searched. At least one; a report for each, the first with the stages of
+/// what they share. Throws as renderScene.
+std::vector<RenderReport> renderScenes(std::span<const Scene> scenes, const Progress& progress = {});
+
 /// The plan that renderScene draws by, of the first k that is asked for where one is searched. Reads the mesh and opens
 /// the device; draws nothing. Throws as renderScene.
 RenderPlan planScene(const Scene& scene, const Progress& progress = {});
@@ -66,5 +72,8 @@ RenderPlan planScene(const Scene& scene, const Progress& progress = {});
 /// The same by the ground truth (reference/reference_renderer.h), without OpenGL: of the method, only Scene::threads
 /// and repeat have an effect. `edgeMask`: fills RenderReport::edgeMask. Throws as renderScene.
 RenderReport drawReference(const Scene& scene, bool edgeMask = false, const Progress& progress = {});
+/// Of several, as renderScenes.
+std::vector<RenderReport> drawReferences(std::span<const Scene> scenes, bool edgeMask = false,
+                                         const Progress& progress = {});
 
 }  // namespace havs
