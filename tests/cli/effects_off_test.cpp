@@ -37,7 +37,10 @@ const std::vector<OffForm>& offForms() {
       {"ambient occlusion", {}, {{"occlusion", nullptr}}, {{"occlusion", {{"directions", 8}}}}},
       {"shadows", {{"lighting", "default"}}, {{"shadows", false}}, {{"shadows", true}}},
       {"ambient scattering", {}, {{"scattering", nullptr}}, {{"scattering", "default"}}},
-      {"isosurfaces", {}, {{"isosurfaces", json::array()}}, {{"isosurfaces", {{{"value", 3}}}}}}};
+      {"isosurfaces", {}, {{"isosurfaces", json::array()}}, {{"isosurfaces", {{{"value", 3}}}}}},
+      {"outline", {}, {{"outline", nullptr}}, {{"outline", "default"}}},
+      {"surface", {}, {{"surface", nullptr}}, {{"surface", "default"}}},
+      {"wire frame", {}, {{"wireframe", nullptr}}, {{"wireframe", "default"}}}};
   return rows;
 }
 

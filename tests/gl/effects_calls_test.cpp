@@ -25,9 +25,13 @@ struct ItemObjects {
   Labels objects;
 };
 
-/// Of targets, vertex data and tables; those of the plan's resources are found by the names that they have in shaders/.
+const Labels kLayers{"begins of layers", "distances of layers", "colours of layers"};
+
+/// Of targets, vertex data and layers; those of the plan's resources are found by the names that they have in shaders/.
 Labels objectsOf(const RenderPlan& plan, const PlanItem& item) {
   static const std::vector<ItemObjects> kRows{
+      {"layers of the boundary surface", kLayers},
+      {"layers of the wire frame", kLayers},
       {"place and scalar", {"points"}},
       {"corners of faces", {"face indices"}},
       {"corners of faces and of the cells behind them", {"corners of faces", "corners behind faces"}},
@@ -51,10 +55,13 @@ Labels objectsOf(const RenderPlan& plan, const PlanItem& item) {
   return {};
 }
 
-bool isOnDevice(const PlanItem& item) { return item.kind == PlanKind::vertexData || item.kind == PlanKind::target; }
+bool isOnDevice(const PlanItem& item) {
+  return item.kind == PlanKind::vertexData || item.kind == PlanKind::target || item.stage == "layers";
+}
 
 struct Expected {
-  Labels programs, objects;
+  Labels programs;
+  std::set<std::string> objects;
 };
 
 Expected expectedOf(const RenderPlan& plan, const PreparedScene& prepared) {
@@ -62,17 +69,18 @@ Expected expectedOf(const RenderPlan& plan, const PreparedScene& prepared) {
   for (const PlannedProgram& program : plan.programs)
     expected.programs.insert(program.vertex + " + " + program.fragment);
   for (const PlanItem& item : plan.items)
-    if (isOnDevice(item)) expected.objects.merge(objectsOf(plan, item));
+    if (isOnDevice(item))
+      for (const std::string& name : objectsOf(plan, item)) expected.objects.insert(name);
   for (const ResourceData& resource : makeResources(prepared, plan, {}))
     for (const auto& [name, table] : resource.tables) expected.objects.insert(name);
   return expected;
 }
 
 /// Buffers that a texture lies over have its label, too.
-Labels objectsOf(const GlCalls& calls) {
+std::set<std::string> objectsOf(const GlCalls& calls) {
   std::set<std::string> names(calls.textures.begin(), calls.textures.end());
   names.insert(calls.buffers.begin(), calls.buffers.end());
-  return {names.begin(), names.end()};
+  return names;
 }
 
 void expectBytes(const RenderPlan& plan, const GlCalls& calls) {
@@ -91,12 +99,19 @@ void expectBytes(const RenderPlan& plan, const GlCalls& calls) {
 }
 
 /// What is written in each picture, though nothing has changed: the order of the faces is part of a frame, and its time
-/// of the frame's (StageTimes, `--repeat`); lists of fragments are as long as they are counted to be.
-Labels writtenInEachPicture(const RenderPlan& plan) {
+/// of the frame's (StageTimes, `--repeat`), as that of layers is; lists of fragments are as long as they are counted to
+/// be.
+Labels writtenBesideLayers(const RenderPlan& plan) {
   if (plan.gathering != Gathering::composite) return {};
   if (plan.visibility.name == "abuffer") return {"ends of lists"};
   if (plan.visibility.name == "cells") return {"face order"};
   return plan.cellData ? Labels{"face indices", "face order"} : Labels{"face indices"};
+}
+
+Labels writtenInEachPicture(const RenderPlan& plan) {
+  Labels written = writtenBesideLayers(plan);
+  if (plan.layers) written.insert(kLayers.begin(), kLayers.end());
+  return written;
 }
 
 class EffectCalls : public FramebufferFetch {
@@ -150,7 +165,9 @@ class EffectCalls : public FramebufferFetch {
     renderer->draw(view, stages);
     GlCalls second = counter.take();
     EXPECT_EQ(second.uploads, writtenInEachPicture(chosen));
+    EXPECT_EQ(second.buffers, chosen.layers ? kLayers : Labels{});
     second.uploads.clear();
+    second.buffers.clear();
     EXPECT_TRUE(second.madeNothing());
     EXPECT_EQ(second.draws, first.draws);
   }
