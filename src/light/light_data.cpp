@@ -112,7 +112,7 @@ struct LightData::Whole {
   void makeScattered() {
     const AmbientScattering& s = *plan.scattering;
     opticalRadius = ballValues(*tracer, {s.radius, BallSetting{}.directions}, mask).opticalRadius;
-    scattered.emplace(ScatteringTable({.g = s.anisotropy}), s.albedo);
+    scattered.emplace(*scatteringTableOf(s.anisotropy), s.albedo);
   }
 };
 

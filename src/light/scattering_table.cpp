@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -123,6 +124,14 @@ double ScatteringTable::sum(double albedo, double tau, double cosine) const {
   for (std::size_t order = 1; order <= kScatteringOrders; ++order)
     total += (power *= albedo) * density(order, tau, cosine);
   return total + albedoBeyond(tau, albedo) * density(kScatteringOrders + 1, tau, cosine);
+}
+
+std::shared_ptr<const ScatteringTable> scatteringTableOf(double g) {
+  static std::mutex mutex;
+  static std::shared_ptr<const ScatteringTable> last;
+  const std::lock_guard lock(mutex);
+  if (!last || last->g() != g) last = std::make_shared<ScatteringTable>(ScatteringSetting{.g = g});
+  return last;
 }
 
 ScatteredLight::ScatteredLight(const ScatteringTable& table, double albedo)

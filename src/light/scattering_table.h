@@ -10,6 +10,7 @@
 // 1 - exp(-tau) is tabulated, so that the limit of a small ball is exact.
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "light/ball_walk.h"
@@ -60,6 +61,10 @@ class ScatteringTable {
   std::vector<BallLight> nodes_;                    ///< one a radius
   std::vector<decltype(BallLight::exits)> errors_;  ///< standard errors of nodes_
 };
+
+/// The table of the default walks and seed for an asymmetry. The last one asked for is kept: it depends on nothing
+/// else, so that several renderers of a scene share it. From any number of threads. Throws Error{input}.
+std::shared_ptr<const ScatteringTable> scatteringTableOf(double g);
 
 /// The sum of a table for one albedo, ready to be looked up for many points. Off from ScatteringTable::sum by a
 /// fraction of the table's own noise, whose corners it cuts (docs/08-effects-data.md).
