@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <set>
+
 #include "app/print_json.h"
 #include "app/render_report.h"
 #include "app/scene_file.h"
@@ -54,8 +56,13 @@ std::vector<AskedPicture> askedPictures(const PictureOptions& options) {
   for (const SceneOptions& view : optionsOfViews(options.scene)) pictures.push_back({makeScene(view), options.outputs});
   for (std::size_t i = 0; i < options.scene.views.size() && options.outputs.empty(); ++i)
     pictures[i].outputs = options.scene.views[i].outputs;
+  std::set<std::filesystem::path> all;
   for (const AskedPicture& picture : pictures)
-    for (const auto& output : picture.outputs) checkImagePath(output);
+    for (const auto& output : picture.outputs) {
+      checkImagePath(output);
+      if (!all.insert(std::filesystem::absolute(output).lexically_normal()).second)
+        failInput("is named twice as a picture to write", output.string(), "one would overwrite the other");
+    }
   return pictures;
 }
 

@@ -18,7 +18,7 @@ std::string sizeOf(const PlanItem& item) {
   if (item.bytes == 0) return "";
   const double megabytes = static_cast<double>(item.bytes) / 1e6;
   const std::string total = megabytes < 0.1 ? fmt::format("{} bytes", item.bytes) : fmt::format("{:.1f} MB", megabytes);
-  return item.of.empty() ? " (" + total + ")" : fmt::format(" ({} bytes a {}, {})", item.bytesEach, item.of, total);
+  return item.of.empty() ? " (" + total + ")" : fmt::format(" ({} bytes each {}, {})", item.bytesEach, item.of, total);
 }
 
 Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }

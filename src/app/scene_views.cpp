@@ -56,8 +56,7 @@ void readKey(ViewOptions& view, const std::string& name, const Json& value, std:
 std::vector<ViewOptions> readViews(const Json& list, const std::filesystem::path& file) {
   std::vector<ViewOptions> views;
   if (list.is_null()) return views;
-  if (!list.is_array() || list.empty())
-    failInput(fmt::format("'{}' must be a list of objects, or null", kViewsKey), file.string());
+  if (!list.is_array()) failInput(fmt::format("'{}' must be a list of objects, or null", kViewsKey), file.string());
   for (const Json& one : list) {
     ViewOptions& view = views.emplace_back();
     if (!one.is_object()) failView(views.size(), "must be an object", file);
@@ -88,7 +87,6 @@ Json viewsSchema() {
       {"type", "object"}, {"required", {kOutputs}}, {"additionalProperties", false}, {"properties", properties}};
   return {{"type", {"array", "null"}},
           {"items", view},
-          {"minItems", 1},
           {"description", "several cameras, each with its pictures; the mesh is read once"}};
 }
 

@@ -20,13 +20,47 @@ Medium mediumOf(const PreparedScene& scene) {
   return {scene.points, scene.mesh.tetrahedra, scene.faces, scene.scalars, scene.facts().cellData, scene.curve};
 }
 
-/// Which points of the whole the drawn part has; empty: all.
+/// The scene that light goes through: of the part that shows anything the whole, of what lies before the eye all.
+const PreparedScene& wholeOf(const PreparedScene& drawn) { return drawn.whole != nullptr ? *drawn.whole : drawn; }
+const PreparedScene& uncutOf(const PreparedScene& drawn) {
+  const PreparedScene& whole = wholeOf(drawn);
+  return whole.uncut != nullptr ? *whole.uncut : whole;
+}
+
+/// Points of the uncut scene that the drawn points' values come from; empty: all.
 std::vector<std::uint8_t> maskOf(const PreparedScene& drawn) {
-  std::vector<std::uint8_t> mask;
-  if (drawn.whole == nullptr) return mask;
-  mask.assign(drawn.whole->points.size(), 0);
-  for (const Index p : drawn.pointsInWhole) mask[p] = 1;
+  const PreparedScene& whole = wholeOf(drawn);
+  if (drawn.whole == nullptr && whole.cuts.empty()) return {};
+  std::vector<std::uint8_t> mask(whole.points.size(), drawn.whole == nullptr ? 1 : 0);
+  if (drawn.whole != nullptr)
+    for (const Index p : drawn.pointsInWhole) mask[p] = 1;
+  for (std::size_t i = whole.cuts.size(); i-- > 0;) {
+    const MeshCut& cut = whole.cuts[i];
+    std::vector<std::uint8_t> before(i > 0 ? whole.cuts[i - 1].pointCount() : whole.uncut->points.size(), 0);
+    for (std::size_t p = 0; p < mask.size(); ++p) {
+      if (mask[p] == 0) continue;
+      if (p < cut.keptPoints.size()) {
+        before[cut.keptPoints[p]] = 1;
+      } else {
+        const EdgePoint& point = cut.edgePoints[p - cut.keptPoints.size()];
+        before[point.near] = before[point.far] = 1;
+      }
+    }
+    mask = std::move(before);
+  }
   return mask;
+}
+
+/// A view in the uncut scene's frame.
+View uncutView(const PreparedScene& drawn, View view) {
+  const Vec3& origin = wholeOf(drawn).origin;
+  view.eye += origin;
+  view.center += origin;
+  return view;
+}
+
+Light asLight(const ViewLight& light) {
+  return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
 }
 
 ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& view) {
@@ -38,7 +72,7 @@ ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& v
       placed.place = view.orthographic ? -view.forward : view.eye;
       break;
     case SceneLight::Kind::directional:
-      placed.place = normalize(light.place);
+      placed.place = asLight({false, light.place, 1}).towards(Vec3(0));
       break;
     case SceneLight::Kind::point:
       placed.atPlace = true;
@@ -49,10 +83,6 @@ ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& v
 }
 
 bool same(const ViewRays& a, const ViewRays& b) { return a.parallel == b.parallel && a.place == b.place; }
-
-Light asLight(const ViewLight& light) {
-  return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
-}
 
 }  // namespace
 
@@ -72,18 +102,32 @@ struct LightData::Whole {
   std::size_t version = 1;
 
   Whole(const PreparedScene& part, const LightPlan& lightPlan)
-      : drawn(part), scene(part.whole != nullptr ? *part.whole : part), plan(lightPlan), mask(maskOf(part)) {
+      : drawn(part), scene(uncutOf(part)), plan(lightPlan), mask(maskOf(part)) {
     rows.resize(drawn.points.size() * static_cast<std::size_t>(plan.rowLength));
   }
 
-  /// Writes number `at` of each row: valueOf(point of the whole).
+  /// Writes number `at` of each row: valueOf(point of the uncut scene), linear along edges that are cut.
   template <class ValueOf>
   void put(int at, const ValueOf& valueOf) {
+    const PreparedScene& whole = wholeOf(drawn);
+    std::vector<double> values;
+    if (!whole.cuts.empty()) {
+      values.resize(scene.points.size());
+      parallelFor(0, values.size(), kGrain, [&](std::size_t p) { values[p] = valueOf(p); });
+      for (const MeshCut& cut : whole.cuts) values = cut.pointValues(values);
+    }
     parallelFor(0, drawn.points.size(), kGrain, [&](std::size_t p) {
       const std::size_t inWhole = drawn.whole != nullptr ? drawn.pointsInWhole[p] : p;
       rows[p * static_cast<std::size_t>(plan.rowLength) + static_cast<std::size_t>(at)] =
-          static_cast<float>(valueOf(inWhole));
+          static_cast<float>(values.empty() ? valueOf(inWhole) : values[inWhole]);
     });
+  }
+
+  /// The plan's lights in the frame of a scene.
+  std::vector<ViewLight> lightsIn(const PreparedScene& seen, const View& view) const {
+    std::vector<ViewLight> lights;
+    for (const SceneLight& light : plan.lights) lights.push_back(placed(light, seen.frame, view));
+    return lights;
   }
 
   bool traces() const { return plan.occlusionAt >= 0 || plan.scatteredAt >= 0 || plan.shadowsAt >= 0; }
@@ -142,17 +186,14 @@ LightData::LightData(LightData&&) noexcept = default;
 
 std::size_t LightData::version() const { return whole_->version; }
 
-std::vector<ViewLight> LightData::lightsFor(const View& view) const {
-  std::vector<ViewLight> lights;
-  for (const SceneLight& light : whole_->plan.lights) lights.push_back(placed(light, whole_->scene.frame, view));
-  return lights;
-}
+std::vector<ViewLight> LightData::lightsFor(const View& view) const { return whole_->lightsIn(whole_->drawn, view); }
 
-const std::vector<float>& LightData::rowsFor(const View& view, StageTimes& stages) {
+const std::vector<float>& LightData::rowsFor(const View& seen, StageTimes& stages) {
   Whole& w = *whole_;
   if (w.plan.shadowsAt < 0 && w.plan.scatteredAt < 0) return w.rows;
   std::vector<Light> lights;
-  for (const ViewLight& light : lightsFor(view)) lights.push_back(asLight(light));
+  const View view = uncutView(w.drawn, seen);
+  for (const ViewLight& light : w.lightsIn(w.scene, view)) lights.push_back(asLight(light));
   const auto sameLight = [](const Light& a, const Light& b) { return a.kind == b.kind && a.place == b.place; };
   const bool moved =
       lights.size() != w.lights.size() || !std::equal(lights.begin(), lights.end(), w.lights.begin(), sameLight);

@@ -1,5 +1,7 @@
 #include "render/plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -131,10 +133,7 @@ std::string methodsWith(bool VisibilityMethod::*property) {
 
 void checkRange(double value, double least, double most, const std::string& name) {
   if (!(value >= least && value <= most)) {
-    auto text = [](double x) {
-      return x == std::floor(x) ? std::to_string(static_cast<long long>(x)) : std::to_string(x);
-    };
-    failInput(name + " is " + text(value), "", "it must lie between " + text(least) + " and " + text(most));
+    failInput(fmt::format("{} is {}", name, value), "", fmt::format("it must lie between {} and {}", least, most));
   }
 }
 

@@ -28,8 +28,12 @@ HalfSpace besideView(const View& view, const Vec3& axis, double slope) {
   return {normal, dot(normal, view.eye)};
 }
 
-void keepInside(PreparedScene& scene, const HalfSpace& half) {
-  scene = cutScene(scene, partInside(scene.mesh.tetrahedra, scene.points, half));
+/// The part of `scene` inside, which remembers what it was cut from.
+PreparedScene partOf(const PreparedScene& scene, std::vector<MeshCut> before, const HalfSpace& half) {
+  before.push_back(partInside(scene.mesh.tetrahedra, scene.points, half));
+  PreparedScene part = cutScene(scene, before.back());
+  part.cuts = std::move(before);
+  return part;
 }
 
 }  // namespace
@@ -44,12 +48,14 @@ bool needsEyeCut(const PreparedScene& prepared, const View& view, const EyeCut& 
 
 PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view, const EyeCut& cut) {
   const HalfSpace before{view.forward, dot(view.forward, view.eye) + cut.distance};
-  PreparedScene part = cutScene(whole, partInside(whole.mesh.tetrahedra, whole.points, before));
+  PreparedScene part = partOf(whole, {}, before);
   if (cut.sides)
     for (const double sign : {-1.0, 1.0}) {
-      keepInside(part, besideView(view, sign * view.right, kAside * view.halfWidth));
-      keepInside(part, besideView(view, sign * view.up, kAside * view.halfHeight));
+      part = partOf(part, std::move(part.cuts), besideView(view, sign * view.right, kAside * view.halfWidth));
+      part = partOf(part, std::move(part.cuts), besideView(view, sign * view.up, kAside * view.halfHeight));
     }
+  part.uncut = &whole;
+  part.origin = view.eye;
   part.frame.center += part.frame.radius * view.eye;
   parallelFor(0, part.points.size(), 16384, [&](std::size_t p) { part.points[p] -= view.eye; });
   part.faces = buildFaces(part.mesh);

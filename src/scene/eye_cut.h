@@ -32,8 +32,8 @@ bool needsEyeCut(const PreparedScene& prepared, const View& view, const EyeCut& 
 
 /// The scene with only what lies beyond the plane across the view at EyeCut::distance before the eye: the section there
 /// is where rays enter the mesh. The local frame is moved to have the eye as its origin, where numbers are finest
-/// (viewFromOrigin); all else that is said of the mesh stays that of the whole. Parallel, the same for any number of
-/// threads.
+/// (viewFromOrigin); all else that is said of the mesh stays that of the whole, which must outlive it. Parallel, the same
+/// for any number of threads.
 PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view, const EyeCut& cut);
 
 /// The view for what cutBeforeEye returns.

@@ -7,6 +7,7 @@
 #include "mesh/defects.h"
 #include "mesh/faces.h"
 #include "mesh/local_frame.h"
+#include "mesh/mesh_cut.h"
 #include "mesh/scalar_field.h"
 #include "mesh/tet_mesh.h"
 #include "scene/scene.h"
@@ -35,6 +36,9 @@ struct PreparedScene {
   std::vector<double> scalars;               ///< normalised to the domain, [0, 1]; one a point or one a cell
   const PreparedScene* whole = nullptr;      ///< of which this is the part that shows anything (scene/visible_part.h)
   std::vector<Index> pointsInWhole;          ///< then, the number there of each point; ascending
+  const PreparedScene* uncut = nullptr;      ///< of which this is what lies before the eye (scene/eye_cut.h)
+  std::vector<MeshCut> cuts;                 ///< then, one after the other from that
+  Vec3 origin{0};                            ///< then, where its local frame has its origin in that one's
   std::vector<Index> facesInWhole;           ///< then, the number there of each of `faces`; ascending
 
   SceneFacts facts() const;

@@ -62,8 +62,8 @@ TEST_P(SceneViews, EachIsThePictureOfItsCameraAlone) {
   const Json report = Json::parse(draw({"two.json", "--json"}));
   ASSERT_EQ(report["views"].size(), 2);
   EXPECT_EQ(report["views"][0]["outputs"], (Json{"a.exr", "a.png"}));
-  EXPECT_TRUE(report["views"][0]["stages_ms"].contains("read"));
-  EXPECT_FALSE(report["views"][1]["stages_ms"].contains("read")) << "the mesh is read once";
+  EXPECT_GT(report["views"][0]["stages_ms"]["read"], 0);
+  EXPECT_EQ(report["views"][1]["stages_ms"].value("read", 0.0), 0) << "the mesh is read once";
   draw({"cube.node", "--size", "40x30", "--camera", "20,10", "-o", "a1.exr", "-o", "a1.png"});
   draw({"cube.node", "--size", "40x30", "--camera", R"({"azimuth": 70, "zoom": 2})", "--projection", "orthographic",
         "-o", "b1.exr"});
@@ -97,6 +97,8 @@ TEST_P(OneSceneOfViews, CanBeLeftOut) {
   havs({"render", "two.json", "--set", "views=null", "-o", "one.exr", "--quiet"});
   havs({"render", "two.json", "--quiet"});
   expectSame("one.exr", "a.exr");
+  havs({"render", "two.json", "--set", "views=[]", "-o", "none.exr", "--quiet"});
+  expectSame("none.exr", "a.exr");
 }
 
 TEST_P(OneSceneOfViews, WhatIsForOnePictureIsRefused) {
@@ -115,7 +117,6 @@ TEST_P(OneSceneOfViews, WrongOnesAreRefused) {
     return std::vector<std::string>{"render", "two.json", "--set", "views=" + value};
   };
   expectRefused(views("3"), "must be a list of objects, or null");
-  expectRefused(views("[]"), "must be a list of objects, or null");
   expectRefused(views("[3]"), "view 1: must be an object");
   expectRefused(views(R"([{"outputs": ["a.png"], "kamera": "1,2"}])"), "camera");
   expectRefused(views(R"([{"outputs": "a.png"}])"), "'outputs' must be a list of paths");
@@ -123,6 +124,7 @@ TEST_P(OneSceneOfViews, WrongOnesAreRefused) {
   expectRefused(views(R"([{"outputs": ["a.png"], "camera": 3}])"), "'camera' must be an object");
   expectRefused(views(R"([{"outputs": ["a.png"], "camera": "x"}])"), "camera");
   expectRefused(views(R"([{"outputs": ["a.gif"]}])"), "a.gif");
+  expectRefused(views(R"([{"outputs": ["a.png"]}, {"outputs": ["./a.png"]}])"), "is named twice");
   expectRefused({"render", "two.json", "--set", "outputs=[\"x.png\"]"}, "'outputs' belong to each of the 'views'");
 }
 
