@@ -91,16 +91,7 @@ void check(bool good, const std::string& what, const std::string& where, const c
 }  // namespace
 
 PreparedScene cutScene(const PreparedScene& whole, const MeshCut& cut) {
-  PreparedScene part;
-  part.defects = whole.defects;
-  part.notes = whole.notes;
-  part.field = whole.field;
-  part.frame = whole.frame;
-  part.longestEdge = whole.longestEdge;
-  part.curve = whole.curve;
-  part.isosurfaces = whole.isosurfaces;
-  part.transferFunction = whole.transferFunction;
-  part.meaning = whole.meaning;
+  PreparedScene part = withoutMesh(whole);
   part.knotsInCells = whole.knotsInCells;
   part.clearCells = whole.clearCells;
   part.cellsWithoutSurface = whole.cellsWithoutSurface;

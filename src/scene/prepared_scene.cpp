@@ -182,6 +182,20 @@ SceneFacts PreparedScene::facts() const {
   return facts;
 }
 
+PreparedScene withoutMesh(const PreparedScene& whole) {
+  PreparedScene part;
+  part.defects = whole.defects;
+  part.notes = whole.notes;
+  part.field = whole.field;
+  part.frame = whole.frame;
+  part.longestEdge = whole.longestEdge;
+  part.curve = whole.curve;
+  part.isosurfaces = whole.isosurfaces;
+  part.transferFunction = whole.transferFunction;
+  part.meaning = whole.meaning;
+  return part;
+}
+
 View viewOf(const Scene& scene, const PreparedScene& prepared) {
   return makeView(scene.camera, prepared.frame, scene.width, scene.height);
 }

@@ -51,6 +51,9 @@ PreparedScene prepareScene(const Scene& scene, StageTimes& stages, const Progres
 /// Prepares a mesh that is in memory already (tests, studies).
 PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages);
 
+/// What is said of a scene besides its cells (frame, longest edge, curve, isosurfaces, field, notes): for a part of it.
+PreparedScene withoutMesh(const PreparedScene& whole);
+
 /// The view of the scene's camera. Throws Error{input} as makeView.
 View viewOf(const Scene& scene, const PreparedScene& prepared);
 

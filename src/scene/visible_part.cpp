@@ -116,16 +116,7 @@ std::optional<PreparedScene> visiblePart(const PreparedScene& whole, const WhatS
   if (cells.count() == shown.size()) return std::nullopt;
   const Kept points = pointsOf(whole, shown), faces = facesOf(whole, shown);
 
-  PreparedScene part;
-  part.defects = whole.defects;
-  part.notes = whole.notes;
-  part.field = whole.field;
-  part.frame = whole.frame;
-  part.longestEdge = whole.longestEdge;
-  part.curve = whole.curve;
-  part.isosurfaces = whole.isosurfaces;
-  part.transferFunction = whole.transferFunction;
-  part.meaning = whole.meaning;
+  PreparedScene part = withoutMesh(whole);
   part.mesh.points = points.make<Vec3>([&](std::size_t p) { return whole.mesh.points[p]; });
   part.mesh.tetrahedra = cells.make<Tetrahedron>([&](std::size_t c) {
     const auto& [i, j, k, l] = whole.mesh.tetrahedra[c];

@@ -16,13 +16,6 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 class SceneFile : public testing::Test {
  protected:
   void SetUp() override { writeTetgenMesh(folder, "cube", kCubeNode, kCubeEle); }

@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cli/run_havs.h"
 #include "cli/sample_files.h"
@@ -14,13 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 using testing::HasSubstr;
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 class SceneViews : public testing::TestWithParam<std::string> {
  protected:

@@ -101,7 +101,7 @@ TEST_P(OverlaysAgainstReference, Orthographic) {
 
 TEST_P(OverlaysAgainstReference, EyeInTheMesh) {
   Scene scene = sceneWith("viridis");
-  scene.lighting.reset();  // the gradients at the cut before the eye are those of what is left
+  scene.lighting.reset();  // pieces of cells at the eye are lit at more places than whole ones (effects_test.cpp)
   StageTimes stages;
   const LocalFrame frame = prepareScene(scene, mesh_, stages).frame;
   scene.camera.eye = frame.center + 0.3 * frame.radius * Vec3{0.6, 0.2, 0.5};
