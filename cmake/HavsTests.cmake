@@ -10,6 +10,7 @@ function(havs_test label name)
     HAVS_MESHES="${PROJECT_SOURCE_DIR}/meshes"
     HAVS_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data"
     HAVS_BUILD="${CMAKE_BINARY_DIR}")
+  havs_precompiled_as(${target} havs_test_headers)
   set(properties LABELS ${label})
   if(HAVS_SANITIZE)
     list(APPEND properties ENVIRONMENT ${HAVS_SANITIZER_ENVIRONMENT})
