@@ -68,4 +68,13 @@ inline double worstChord(const HardPicture& picture, const SegmentTruth& truth, 
   return worst;
 }
 
+/// Of the native device, where extinction is great: both ends of a ray's way are float distances of up to one radius,
+/// off by 2^-25 each, and what that much extinction shows between them.
+inline HardBounds boundsOfDensity(double mostExtinction, double unitLength) {
+  const double radius = std::sqrt(3.0);
+  HardBounds bounds;
+  bounds.native += 0x1p-24 * mostExtinction * radius / unitLength;
+  return bounds;
+}
+
 }  // namespace havs::test

@@ -91,12 +91,13 @@ class SegmentTruth {
 
   /// Of channel c. What is deep shows at its front only: so the way is halved towards it until it is shallow.
   long double lightOf(const Stretch& stretch, std::size_t c) const {
+    constexpr int kHalvings = 5;  // of 15 nodes each
     const auto light = [&](long double t) {
       return stretch.at(t)[c + 1] * kappaOf(stretch, t) * std::exp(-depthOf(stretch, t));
     };
     long double sum = 0, end = 1;
-    for (; depthOf(stretch, end) > 1; end /= 2) sum += integrate(light, end / 2, end, 14);
-    return sum + integrate(light, 0, end, 14);
+    for (; depthOf(stretch, end) > 1; end /= 2) sum += integrate(light, end / 2, end, kHalvings);
+    return sum + integrate(light, 0, end, kHalvings);
   }
 
   static SegmentRgba withSurface(std::array<long double, 4> sum, const Sample& surface, long double depth) {

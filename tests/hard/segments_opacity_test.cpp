@@ -51,6 +51,16 @@ TEST_F(Opacities, OneAtOnePoint) {
   const Points peak{{0, 0.2, 0.2, 1, 0}, {0.5, 1, 0.6, 0.1, 1}, {1, 0.2, 1, 0.2, 0}};
   const HardPicture picture = expectDrawn(peak, 1, {}, kResampled);
   EXPECT_GT(pixelsOfOpacity(picture.truth, 1), 300u);
+  expectDrawn(peak, 1, {0.5, 0}, kRounded);  // the field stays there: all corners and all between them
+}
+
+TEST_F(Opacities, OneAtTheEndOfTheDomain) {
+  tell({"Segments",
+        "before this case a fragment of the boundary kept 1 as 0.99999994, as its kind takes two bits: on OpenGL what "
+        "is a surface at 1 only was none there",
+        "that number stands for 1 and is read as 1"});
+  const Points end{{0, 0, 0, 1, 0}, {1, 0, 0, 1, 0}, {1, 1, 0.5, 0, 1}};
+  expectDrawn(end, 1, {1, 0}, kRounded);
 }
 
 TEST_F(Opacities, OneOverAPlateauBetweenSteps) {
@@ -86,7 +96,9 @@ TEST_F(Opacities, AllButOne) {
         "kept as an extinction, made in double"});
   constexpr double kAlmost = 1 - 0x1p-24;
   const Points almost{{0, 0.2, 0.3, 1, kAlmost}, {1, 1, 0.5, 0, kAlmost}};
-  for (const double unitLength : {0.01, 1.0, 100.0}) expectDrawn(almost, unitLength, {}, kRounded);
+  constexpr double kDepth = 16.64;  // 24 ln 2
+  for (const double unitLength : {0.01, 1.0, 100.0})
+    expectDrawn(almost, unitLength, {}, kRounded, boundsOfDensity(kDepth, unitLength));
 }
 
 TEST_F(Opacities, OneHundredMillionth) {
