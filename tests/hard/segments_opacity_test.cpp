@@ -63,6 +63,15 @@ TEST_F(Opacities, OneAtTheEndOfTheDomain) {
   expectDrawn(end, 1, {1, 0}, kRounded);
 }
 
+TEST_F(Opacities, OneAtOnePointWithAStepOnEitherSide) {
+  tell({"Segments",
+        "before this case the colour of a surface of one scalar was read from the curve, which at a step there holds "
+        "the colour of the upper side, opaque or not",
+        "with such an interval goes its own colour, that of the side that is opaque"});
+  expectDrawn({{0, 0, 0, 1, 0}, {0.5, 1, 0.5, 0, 1}, {0.5, 0, 1, 0, 0.2}, {1, 0, 1, 1, 0}}, 1, {}, kResampled);
+  expectDrawn({{0, 0, 0, 1, 0}, {0.5, 0, 1, 0, 0.2}, {0.5, 1, 0.5, 0, 1}, {1, 0, 1, 1, 0}}, 1, {}, kResampled);
+}
+
 TEST_F(Opacities, OneOverAPlateauBetweenSteps) {
   tell({"Segments", "a surface without a ramp before it: nothing, then opaque at once, from either side",
         "surfaces are found by where the scalar enters the interval; their colour is the inner one of the step"});
