@@ -17,6 +17,7 @@ uniform vec3 forward;
 uniform int firstBoundaryVertex;
 
 smooth out float scalar;
+flat out float cornerScalar;  // of one corner
 smooth out float depth;  // along the view, relative to the mesh's centre: no cancellation for a distant eye
 flat out float onBoundary;
 
@@ -24,6 +25,7 @@ invariant gl_Position;  // passes that count faces and draw them must cover the 
 
 void main() {
   scalar = pointAndScalar.w;
+  cornerScalar = pointAndScalar.w;
   depth = dot(forward, pointAndScalar.xyz);
 #ifdef HAVS_COLOR_PAYLOAD
   colorAndExtinction = vertexColor;

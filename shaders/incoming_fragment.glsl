@@ -1,6 +1,7 @@
 // The fragment of a face that faces.vert has sent: what it carries (payload.glsl), distance along the pixel's ray,
 // kind. Include it after payload.glsl and core/kbuffer.glsl.
 smooth in float scalar;
+flat in float cornerScalar;
 smooth in float depth;
 flat in float onBoundary;
 #ifdef HAVS_COLOR_PAYLOAD
@@ -23,6 +24,10 @@ layout(std430, binding = 1) readonly buffer FaceOrder { uint faceOrder[]; };
 uniform int firstFace;  // of the batch
 #endif
 
+// Scalars that are the same at all corners of a face come out of the interpolation some roundings off, which would take
+// them to the other side of a step there.
+const float kInterpolation = 5.0e-7;
+
 float incomingScalar() {
 #ifdef HAVS_COLOR_PAYLOAD
   return 0.0;
@@ -30,7 +35,7 @@ float incomingScalar() {
   vec2 sides = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
   return gl_FrontFacing ? sides.x : sides.y;
 #else
-  return clamp(scalar, 0.0, 1.0);
+  return abs(scalar - cornerScalar) < kInterpolation ? cornerScalar : clamp(scalar, 0.0, 1.0);
 #endif
 }
 

@@ -4,13 +4,13 @@
 #include "curve.glsl"
 #include "opaque_intervals.glsl"
 
-// The colour of the surface met at `scalar`, of the interval from `low` to `high`: taken a little inside, clear of a
-// step at its end.
-Rgba surfaceColor(Real scalar, Real low, Real high) {
-  Real inside = atMost(Real(0.5) * (high - low), Real(1.0e-6));
-  Rgba surface = curveAt(atMost(atLeast(scalar, low + inside), high - inside));
+// The colour of the surface met at `scalar`: taken a little inside of its interval, clear of a step at its end. An
+// interval of one number has no inside.
+Rgba surfaceColor(Real scalar, OpaqueHit met) {
+  Real inside = atMost(Real(0.5) * (met.high - met.low), Real(1.0e-6));
+  Rgba surface = curveAt(atMost(atLeast(scalar, met.low + inside), met.high - inside));
   surface.a = Real(1.0);
-  return surface;
+  return selectColor(met.high > met.low, surface, met.color);
 }
 
 Rgba lookUpToOpaque(Segment segment) {
@@ -19,7 +19,7 @@ Rgba lookUpToOpaque(Segment segment) {
   Real part = select(hit, met.share, Real(1.0));
   Segment before = upTo(segment, part);
   Rgba color = lookUpInLight(before);
-  Rgba surface = surfaceColor(before.scalarBack, met.low, met.high);
+  Rgba surface = surfaceColor(before.scalarBack, met);
   if (lit) {
     Real light = lightAt(segment, part);
     surface = Rgba(surface.r * light, surface.g * light, surface.b * light, surface.a);

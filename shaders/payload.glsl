@@ -5,7 +5,7 @@
 const uint kFlagMask = 0xC0000000u;
 const uint kEntryFlag = 0x80000000u;
 const uint kExitFlag = 0x40000000u;
-const float kBelowOne = 0.99999994;  // with a flag, 1.0 would be infinite
+const float kBelowOne = 0.99999994;  // with a flag, 1.0 would be infinite; it stands for 1.0 and is read as that
 
 Payload makePayload(float scalar, float kind) {
   uint flag = kind > 0.5 ? kEntryFlag : kind < -0.5 ? kExitFlag : 0u;
@@ -13,7 +13,10 @@ Payload makePayload(float scalar, float kind) {
   return uintBitsToFloat(floatBitsToUint(room) | flag);
 }
 
-float scalarOf(Payload payload) { return uintBitsToFloat(floatBitsToUint(payload) & ~kFlagMask); }
+float scalarOf(Payload payload) {
+  float scalar = uintBitsToFloat(floatBitsToUint(payload) & ~kFlagMask);
+  return scalar >= kBelowOne ? 1.0 : scalar;
+}
 
 float kindOf(Payload payload) {
   uint flag = floatBitsToUint(payload) & kFlagMask;

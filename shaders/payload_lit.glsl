@@ -10,7 +10,7 @@ struct LitPayload {
 const uint kFlagMask = 0xC0000000u;
 const uint kEntryFlag = 0x80000000u;
 const uint kExitFlag = 0x40000000u;
-const float kBelowOne = 0.99999994;  // with a flag, 1.0 would be infinite
+const float kBelowOne = 0.99999994;  // with a flag, 1.0 would be infinite; it stands for 1.0 and is read as that
 
 Payload makeLitPayload(float scalar, float kind, float light, float density) {
   uint flag = kind > 0.5 ? kEntryFlag : kind < -0.5 ? kExitFlag : 0u;
@@ -20,7 +20,10 @@ Payload makeLitPayload(float scalar, float kind, float light, float density) {
 
 Payload makePayload(float scalar, float kind) { return makeLitPayload(scalar, kind, 0.0, 1.0); }
 
-float scalarOf(Payload payload) { return uintBitsToFloat(floatBitsToUint(payload.scalarAndKind) & ~kFlagMask); }
+float scalarOf(Payload payload) {
+  float scalar = uintBitsToFloat(floatBitsToUint(payload.scalarAndKind) & ~kFlagMask);
+  return scalar >= kBelowOne ? 1.0 : scalar;
+}
 
 float kindOf(Payload payload) {
   uint flag = floatBitsToUint(payload.scalarAndKind) & kFlagMask;

@@ -86,7 +86,7 @@ TABLE_FUNCTION Rgba meanLight(TABLES Coverage c) {
 // The colour of a segment with the attenuation inside it left out of its light, not of its opacity (lookup `integral`).
 TABLE_FUNCTION Rgba integralSegment(TABLES Real scalarFront, Real scalarBack, Real length) {
   Rgba light = meanLight(WITH_TABLES coverageOf(WITH_TABLES scalarFront, scalarBack));
-  Real one = Real(1.0);  // without attenuation light has no bound of its own
-  return Rgba(atMost(length * light.r, one), atMost(length * light.g, one), atMost(length * light.b, one),
-              Real(0.0) - expm1OfNegative(Real(0.0) - length * light.a));
+  Real alpha = Real(0.0) - expm1OfNegative(Real(0.0) - length * light.a);
+  // Without attenuation light has no bound of its own; colours are at most 1, and so is light at most the opacity.
+  return Rgba(atMost(length * light.r, alpha), atMost(length * light.g, alpha), atMost(length * light.b, alpha), alpha);
 }

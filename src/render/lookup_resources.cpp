@@ -45,6 +45,14 @@ ResourceData table3d(Table3d table, const TableFormat& format) {
   return made;
 }
 
+/// Of the knots of [low, high], of which there are, the first of the greatest extinction.
+const ExtinctionCurve::Knot& densestBetween(const ExtinctionCurve& curve, double low, double high) {
+  const ExtinctionCurve::Knot* densest = nullptr;
+  for (const ExtinctionCurve::Knot& k : curve.knots)
+    if (k.s >= low && k.s <= high && (densest == nullptr || k.kappa > densest->kappa)) densest = &k;
+  return *densest;
+}
+
 }  // namespace
 
 std::vector<ResourceData> makeResources(const PreparedScene& prepared, const RenderPlan& plan,
@@ -93,13 +101,15 @@ ResourceData makeIntegrals(const ResourceInput& input) {
 
 ResourceData makeOpaqueIntervals(const ResourceInput& input) {
   const auto& opaque = input.prepared.curve.opaque;
-  std::vector<float> ends;
+  std::vector<float> endsAndColors;
   for (const auto& [low, high] : opaque) {
-    ends.push_back(static_cast<float>(low));
-    ends.push_back(static_cast<float>(high));
+    const auto add = [&](double number) { endsAndColors.push_back(static_cast<float>(number)); };
+    add(low);
+    add(high);
+    for (const double channel : densestBetween(input.prepared.curve, low, high).color) add(channel);
   }
   ResourceData made;
-  made.tables["opaqueIntervals"] = numbers(std::move(ends));
+  made.tables["opaqueIntervals"] = numbers(std::move(endsAndColors));
   made.numbers["opaqueCount"] = static_cast<float>(opaque.size());
   return made;
 }

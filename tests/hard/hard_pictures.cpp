@@ -42,14 +42,6 @@ Scene drawnIn(const HardWay& way, Scene scene) {
   return scene;
 }
 
-havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view) {
-  const Scene scene = drawnIn(way, asked);
-  StageTimes stages;
-  const bool native = way.device == kNativeDevice;
-  const Capabilities can = native ? openRenderDevice(kNativeDevice).capabilities : capabilitiesOf(osmesa());
-  return makeRenderer(prepared, plan(scene, prepared.facts(), can), stages)->draw(view, stages);
-}
-
 bool isLate(const havs::Drawing& drawing, std::size_t pixel) {
   return drawing.certificate && drawing.certificate->count[pixel] > 0;
 }
@@ -101,6 +93,14 @@ const std::vector<HardWay>& hardWays() {
     return rows;
   }();
   return ways;
+}
+
+havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view) {
+  const Scene scene = drawnIn(way, asked);
+  StageTimes stages;
+  const bool native = way.device == kNativeDevice;
+  const Capabilities can = native ? openRenderDevice(kNativeDevice).capabilities : capabilitiesOf(osmesa());
+  return makeRenderer(prepared, plan(scene, prepared.facts(), can), stages)->draw(view, stages);
 }
 
 Scene hardScene(int size) {
