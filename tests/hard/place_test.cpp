@@ -22,8 +22,9 @@ class Place : public LikePlainTest {
     SCOPED_TRACE(testing::Message() << "at " << units.place.x << ", offset " << units.offset);
     const HardPicture placed = expectEveryWay(sceneIn(units, scene), meshIn(units, mesh));
     expectLike(expectEveryWay(scene, roundedBy(units, mesh)), placed, kSameInAnyUnit);
-    expectSame(input > kSameInAnyUnit ? fmt::format("reference against unrounded input", input) : "reference against plain",
-               expectEveryWay(scene, mesh).truth, placed.truth, std::max(input, kSameInAnyUnit));
+    expectSame(
+        input > kSameInAnyUnit ? fmt::format("reference against unrounded input", input) : "reference against plain",
+        expectEveryWay(scene, mesh).truth, placed.truth, std::max(input, kSameInAnyUnit));
   }
 };
 
@@ -44,8 +45,7 @@ TEST_F(Place, ExactWhereTheInputIs) {
 TEST_F(Place, FieldOffsetBy1e9Ranges) {
   tell({kGroup, "a field of 1e9 + [0, 1], as pressures or times are, is one single number in float",
         "the domain's low end is taken off in double; what is left is the input's own rounding"});
-  for (const double ranges : {1e3, 1e6, 1e9})
-    expectAsTheInputCarries(plainScene(), plainMesh(), {.offset = ranges}, 0);
+  for (const double ranges : {1e3, 1e6, 1e9}) expectAsTheInputCarries(plainScene(), plainMesh(), {.offset = ranges}, 0);
   expectAsTheInputCarries(plainScene(), plainMesh(), {.offset = -1e9}, 0);
 }
 
@@ -108,8 +108,9 @@ TEST_F(Place, Thresholds) {
   tell({kGroup, "a threshold in another unit must keep the same cells, also those with a value on its end",
         "it is compared with the data as they are, in double"});
   Scene scene = plainScene();
-  const TetMesh mesh = mapped(plainMesh(), [](const Vec3& p) { return p; },
-                              [](double v) { return std::round(v * 64) / 64; });  // some are on the ends
+  const TetMesh mesh = mapped(
+      plainMesh(), [](const Vec3& p) { return p; },
+      [](double v) { return std::round(v * 64) / 64; });  // some are on the ends
   scene.threshold = {0.25, 0.75};
   expectLikePlain(scene, mesh, {{.scalar = 0x1p100}, {.scalar = 0x1p-1000}, {.offset = 0x1p40}, {.length = 1e150}});
 }

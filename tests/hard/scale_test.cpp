@@ -42,7 +42,8 @@ TEST_F(Scale, ScalarsAtTheEndsOfDouble) {
         "a domain wider than the largest double is halved before it is divided by"});
   Scene scene = plainScene();
   scene.domain = {-1, 1};
-  const TetMesh mesh = mapped(plainMesh(), [](const Vec3& p) { return p; }, [](double v) { return 2 * v - 1; });
+  const TetMesh mesh = mapped(
+      plainMesh(), [](const Vec3& p) { return p; }, [](double v) { return 2 * v - 1; });
   expectLikePlain(scene, mesh, {scalars(1e-290), scalars(1e300), scalars(1.7e308)});
 }
 
