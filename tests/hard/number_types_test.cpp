@@ -1,9 +1,8 @@
 // Numbers as files hold them: integers, single precision, text.
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "hard/like_plain.h"
+#include "hard/mesh_text.h"
 #include "mesh/read.h"
 #include "support/temporary_folder.h"
 
@@ -112,10 +111,15 @@ TEST_F(NumberTypes, IntegerFieldsOfLegacyVtk) {
 }
 #endif
 
+/// Volatile: where it converts two numbers at once, GCC 12.2 leaves out the way to float and back.
+double single(double v) {
+  const volatile float rounded = static_cast<float>(v);
+  return rounded;
+}
+
 TEST_F(NumberTypes, SinglePrecisionFiles) {
   tell({kGroup, "points and fields in single precision carry 24 bits",
         "they are drawn as the numbers that they are; the picture is that of the same numbers in double, bit for bit"});
-  const auto single = [](double v) { return static_cast<double>(static_cast<float>(v)); };
   const TetMesh mesh = mapped(
       plainMesh(3), [&](const Vec3& p) { return Vec3(single(p.x), single(p.y), single(p.z)); }, single);
   const HardPicture plain = expectEveryWay(plainScene(), mesh);
@@ -131,15 +135,8 @@ TEST_F(NumberTypes, TextAtTheEndsOfDouble) {
   const HardPicture plain = expectEveryWay(plainScene(), plainMesh(3));
   for (const Units& units : {Units{.length = 1e-290, .scalar = 1e300}, Units{.length = 1e300, .scalar = 1e-290}}) {
     const TetMesh mesh = meshIn(units, plainMesh(3));
-    std::string node = fmt::format("{} 3 1 0\n", mesh.points.size());
-    for (std::size_t i = 0; i < mesh.points.size(); ++i)
-      node += fmt::format("{} {} {} {} {}\n", i, mesh.points[i].x, mesh.points[i].y, mesh.points[i].z,
-                          mesh.pointFields[0].values[i]);
-    std::string ele = fmt::format("{} 4 0\n", mesh.tetrahedra.size());
-    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
-      ele += fmt::format("{} {}\n", i, fmt::join(mesh.tetrahedra[i], " "));
-    folder_.write("a.ele", ele);
-    expectLike(plain, expectEveryWay(sceneIn(units, plainScene()), read("a.node", node)), kSameInAnyUnit);
+    expectLike(plain, expectEveryWay(sceneIn(units, plainScene()), readMesh(writeNodeEle(folder_, "a", mesh))),
+               kSameInAnyUnit);
   }
 }
 
