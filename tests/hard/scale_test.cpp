@@ -1,4 +1,6 @@
 // Units of length and of the field: from one end of double to the other.
+#include <fmt/format.h>
+
 #include "hard/like_plain.h"
 
 namespace havs::test {
@@ -61,6 +63,17 @@ TEST_F(Scale, EverythingExtremeAtOnce) {
   expectLikePlain(plainScene(), plainMesh(), {tinyAndHuge, hugeAndTiny});
 }
 
+TEST_F(Scale, OpacityUnitFarFromTheMeshs) {
+  tell({kGroup, "a unit length of 1e-30 of the mesh makes extinctions beyond single precision, one of 1e30 nothing",
+        "what is solid for any number is drawn solid, what shows nothing shows nothing"});
+  Scene scene = plainScene();
+  for (const double unit : {1e-3, 1e-12, 1e-30, 1e30, 1e150}) {
+    SCOPED_TRACE(unit);
+    scene.unitLength = unit;
+    expectEveryWay(scene, plainMesh());
+  }
+}
+
 TEST_F(Scale, DefaultUnitLengthAndDomain) {
   tell({kGroup, "what a scene does not say is found from the mesh, at any size",
         "1/20 of the bounding diagonal and the field's range scale along"});
@@ -68,6 +81,49 @@ TEST_F(Scale, DefaultUnitLengthAndDomain) {
   scene.unitLength.reset();
   scene.domain.reset();
   expectLikePlain(scene, plainMesh(), {{.length = 1e-150, .scalar = 1e30}, {.length = 1e150, .scalar = 1e-30}});
+}
+
+TEST_F(Scale, TransferFunctionInDataUnits) {
+  tell({kGroup, "control points in the data's unit, some 1e30 apart or 1.7e308",
+        "they become fractions of the domain as the scalars do"});
+  const auto transfer = [](const Units& units) {
+    std::string text = R"({"version": 1, "opacity": "per_unit", "scale": "data", "points": [)";
+    for (const auto& [scalar, red, opacity] : {std::array{-1.0, 0.1, 0.0}, std::array{0.125, 0.9, 0.5},
+                                               std::array{0.25, 0.4, 0.1}, std::array{1.0, 0.2, 0.9}})
+      text += fmt::format(R"({}{{"scalar": {}, "color": [{}, 0.3, 0.6], "opacity": {}}})",
+                          text.back() == '[' ? "" : ", ", units.value(scalar), red, opacity);
+    return transferFile(text + "]}");
+  };
+  Scene scene = plainScene();
+  scene.domain = {-1, 1};
+  const TetMesh mesh = mapped(
+      plainMesh(), [](const Vec3& p) { return p; }, [](double v) { return 2 * v - 1; });
+  scene.transferFunction = transfer({});
+  const HardPicture plain = expectEveryWay(scene, mesh);
+  for (const Units& units : {scalars(1e30), scalars(1e-290), scalars(1.7e308), scalars(1, 1e6)}) {
+    SCOPED_TRACE(testing::Message() << units.scalar << " from " << units.offset);
+    scene.transferFunction = transfer(units);
+    expectLike(plain, expectEveryWay(sceneIn(units, scene), meshIn(units, mesh)), kSameInAnyUnit);
+  }
+}
+
+TEST_F(Scale, BeyondTheLargestDouble) {
+  tell({kGroup, "a bounding diagonal beyond 1.8e308 is infinite, and with it the unit length that goes by it",
+        "with a unit length given the mesh is drawn; without, the scene is refused"});
+  const Units units{.length = 1.7e308};
+  Scene scene = plainScene();
+  scene.unitLength = 0.2;
+  expectLikePlain(scene, plainMesh(), {units});
+  scene.unitLength.reset();
+  expectRefused(sceneIn(units, scene), meshIn(units, plainMesh()), "unit length");
+}
+
+TEST_F(Scale, SubnormalPositions) {
+  tell({kGroup, "below 2.2e-308 doubles lose digits: at 1e-315 a place is good to 5e-9 of the mesh's size",
+        "the mesh is drawn for what its numbers are"});
+  const Units units{.length = 0x1p-1048};
+  const HardPicture rounded = expectEveryWay(plainScene(), roundedBy(units, plainMesh()));
+  expectLike(rounded, expectEveryWay(sceneIn(units, plainScene()), meshIn(units, plainMesh())), kSameInAnyUnit);
 }
 
 }  // namespace
