@@ -26,13 +26,15 @@ void main() {
   if (count > 1) {
     PixelState state = PixelState(0.0, 0.0);
     Merge list = sortList(first, count);
-    Fragment front = fragmentOf(takeNext(list));
+    Fragment front = fragmentOf(takeNext(list)), back = fragmentOf(takeNext(list));
     for (int i = 1; i < count; ++i) {
-      Fragment back = fragmentOf(takeNext(list));
+      Fragment beyond = fragmentOf(takeNext(list));  // of no kind behind the last
+      exitBeforeEntry(back, beyond, state.inside + kindOf(front.payload));
       Segment segment = leave(state, front, back);
       color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, back.distance);
       reached = back.distance;
       front = back;
+      back = beyond;
 #ifdef HAVS_EARLY_TERMINATION
       if (color.a >= terminalOpacity) break;
 #endif

@@ -44,7 +44,7 @@ void main() {
   float reached = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
   Fragment front;
   insertFragment(kbuffer, incoming, front);
-  Segment segment = leave(state, front, kbuffer.entry[0]);
+  Segment segment = leaveBefore(state, front, kbuffer);
   segment.visible = segment.visible && !done;
   float next = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
   color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, next);

@@ -24,8 +24,9 @@ void main() {
   bool any = !isEmpty(kbuffer.entry[HAVS_K - 1]);
   int left = HAVS_K - 1;
   do {
-    Segment segment = leave(state, kbuffer.entry[0], kbuffer.entry[1]);
-    float end = kbuffer.entry[1].distance;
+    Fragment front = takeNearest(kbuffer);
+    Segment segment = leaveBefore(state, front, kbuffer);
+    float end = kbuffer.entry[0].distance;
 #ifdef HAVS_EARLY_TERMINATION
     bool done = color.a >= terminalOpacity;
     segment.visible = segment.visible && !done;
@@ -33,7 +34,6 @@ void main() {
 #endif
     color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, end);
     reached = end;
-    for (int i = 0; i + 1 < HAVS_K; ++i) kbuffer.entry[i] = kbuffer.entry[i + 1];
     --left;
   } while (any && left > 0);
 #endif

@@ -90,3 +90,30 @@ FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
   segment.visible = real && (state.inside > Real(0.5));
   return segment;
 }
+
+// `first` and `second` come next, in a pixel whose inside-count before them is `inside`. Where two parts of the mesh touch,
+// the ray leaves one and enters the other at one place, and rounding decides what is nearer. With the entry first, what
+// lies before would end at a scalar of the part behind, and what lies behind begin at one of the part before. So within a
+// part an exit changes places with an entry that is nearer by no more than rounding; outside, the two are a thin layer.
+FUNCTION void exitBeforeEntry(INOUT(Fragment) first, INOUT(Fragment) second, Real inside) {
+  Mask turned = (inside > Real(0.5)) && (kindOf(first.payload) > Real(0.5)) &&
+                (kindOf(second.payload) < Real(-0.5)) &&
+                (second.distance - first.distance < Real(kLateTolerance));
+  Payload entry = first.payload;
+  first.payload = selectPayload(turned, second.payload, entry);  // distances stay, and with them the order
+  second.payload = selectPayload(turned, entry, second.payload);
+}
+
+// `front` has left; `rest` is what is left behind it: as above.
+FUNCTION Segment leaveBefore(INOUT(PixelState) state, Fragment front, INOUT(KBuffer) rest) {
+  exitBeforeEntry(rest.entry[0], rest.entry[HAVS_K > 1 ? 1 : 0], state.inside + kindOf(front.payload));
+  return leave(state, front, rest.entry[0]);
+}
+
+// The nearest leaves without another in its place.
+FUNCTION Fragment takeNearest(INOUT(KBuffer) kbuffer) {
+  Fragment nearest = kbuffer.entry[0];
+  for (int i = 0; i + 1 < HAVS_K; ++i) kbuffer.entry[i] = kbuffer.entry[i + 1];
+  kbuffer.entry[HAVS_K - 1] = emptyFragment();
+  return nearest;
+}

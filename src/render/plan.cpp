@@ -194,8 +194,8 @@ void checkScene(const Scene& scene) {
   checkRange(scene.repeat, 1, 1000000, "repeat");
   if (scene.unitLength && !(*scene.unitLength > 0 && std::isfinite(*scene.unitLength)))
     failInput("the unit length must be greater than 0", "", "give it in mesh units");
-  if (scene.domain &&
-      !((*scene.domain)[0] < (*scene.domain)[1] && std::isfinite((*scene.domain)[1] - (*scene.domain)[0])))
+  const auto& domain = scene.domain;
+  if (domain && !((*domain)[0] < (*domain)[1] && std::isfinite((*domain)[0]) && std::isfinite((*domain)[1])))
     failInput("the domain must be two finite numbers, the smaller first", "", "for example 0,1");
 }
 

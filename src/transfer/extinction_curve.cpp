@@ -104,8 +104,7 @@ Points resampled(const Points& points, double tolerance) {
 double ExtinctionCurve::normalise(double value) const {
   const auto& [low, high] = domain;
   if (!(low < high)) return 0.5;
-  const double scale = std::isfinite(high - low) ? 1.0 : 0.5;  // data may span more than the largest double
-  return std::clamp(Shares(scale * low, scale * high, scale * value).upper, 0.0, 1.0);
+  return std::clamp(Shares(low, high, value).upper, 0.0, 1.0);
 }
 
 ExtinctionCurve::Knot ExtinctionCurve::at(double s) const {

@@ -78,7 +78,7 @@ std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments, float 
     }
     typename A::Fragment front;
     A::insertFragment(buffer, fragment, front);
-    A::leave(state, front, buffer.entry[0]);
+    A::leaveBefore(state, front, buffer);
   }
   return late;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/compare.h"
+#include "render/plan.h"
 #include "scene/prepared_scene.h"
 #include "scene/renderer.h"
 
@@ -51,8 +52,9 @@ struct HardWay {
 /// Native and OpenGL's k-buffer, each with k = 2 and 6 and both orders, and the a-buffer.
 const std::vector<HardWay>& hardWays();
 
-/// Draws a scene, prepared for any, in one of them or in another.
-havs::Drawing drawIn(const HardWay& way, const Scene& scene, const PreparedScene& prepared, const View& view);
+/// Draws `scene` in one way. `change`: of its plan.
+havs::Drawing drawIn(const HardWay& way, const Scene& scene, const PreparedScene& prepared, const View& view,
+                     const std::function<void(RenderPlan&)>& change = {});
 
 /// What a picture may differ by from the truth. OpenGL's measures are outside the edge mask, all measures outside the
 /// pixels with late fragments, which the certificate counts.

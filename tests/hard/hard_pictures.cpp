@@ -81,6 +81,17 @@ std::size_t untraced(const HardPicture& picture, const havs::Drawing& drawing, c
 
 }  // namespace
 
+havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view,
+                     const std::function<void(RenderPlan&)>& change) {
+  const Scene scene = drawnIn(way, asked);
+  StageTimes stages;
+  const bool native = way.device == kNativeDevice;
+  const Capabilities can = native ? openRenderDevice(kNativeDevice).capabilities : capabilitiesOf(osmesa());
+  RenderPlan chosen = plan(scene, prepared.facts(), can);
+  if (change) change(chosen);
+  return makeRenderer(prepared, chosen, stages)->draw(view, stages);
+}
+
 const std::vector<HardWay>& hardWays() {
   static const std::vector<HardWay> ways = [] {
     std::vector<HardWay> rows;

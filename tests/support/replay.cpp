@@ -40,17 +40,21 @@ class PixelReplay {
     }
     typename A::Fragment front;
     A::insertFragment(buffer_, fragment, front);
-    leave(front, buffer_.entry[0]);
+    leave(front);
   }
 
   PixelResult flush() {
-    for (int i = 0; i < K; ++i) leave(buffer_.entry[i], i + 1 < K ? buffer_.entry[i + 1] : A::emptyFragment());
+    for (int i = 0; i < K; ++i) {
+      const typename A::Fragment nearest = A::takeNearest(buffer_);
+      leave(nearest);
+    }
     return result_;
   }
 
  private:
-  void leave(const typename A::Fragment& front, const typename A::Fragment& back) {
-    const typename A::Segment segment = A::leave(state_, front, back);
+  void leave(const typename A::Fragment& front) {
+    const typename A::Segment segment = A::leaveBefore(state_, front, buffer_);
+    const typename A::Fragment& back = buffer_.entry[0];
     if (!A::isEmpty(front) && !A::isEmpty(back) && state_.inside < -0.5 && segment.length > A::kLateTolerance)
       result_.negative = true;
     if (!segment.visible) return;

@@ -69,7 +69,7 @@ class EntriesOfPixels {
     const typename A::PixelState pixelBefore = pixel;
     typename A::Fragment front;
     A::insertFragment(kbuffer, incoming, front);
-    done.segment = A::leave(pixel, front, kbuffer.entry[0]);
+    done.segment = A::leaveBefore(pixel, front, kbuffer);
     storePixel({Lanes::select(mask, pixel.inside, pixelBefore.inside),
                 Lanes::select(mask, pixel.started, pixelBefore.started)});
     for (int i = 0; i < K; ++i) Stored::store(entryAt(i), A::selectFragment(mask, kbuffer.entry[i], before.entry[i]));
@@ -79,9 +79,12 @@ class EntriesOfPixels {
   /// What is left leaves in order.
   template <class Take>
   void finish(const Take& take) {
-    const typename A::KBuffer kbuffer = entries();
+    typename A::KBuffer kbuffer = entries();
     typename A::PixelState pixel = loadPixel();
-    for (int i = 0; i + 1 < K; ++i) take(A::leave(pixel, kbuffer.entry[i], kbuffer.entry[i + 1]));
+    for (int i = 0; i + 1 < K; ++i) {
+      const typename A::Fragment nearest = A::takeNearest(kbuffer);
+      take(A::leaveBefore(pixel, nearest, kbuffer));
+    }
   }
 
  private:
@@ -108,9 +111,10 @@ class EntriesOfPixels {
   float* state_;
 };
 
-/// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, and its pixel
-/// flagged; in all others every k gives the same segments, to the last bit. With cell data the order is believed where
-/// distances differ by their rounding only (TileDraw::sameDistance).
+/// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, or leaves a part of
+/// the mesh where another has been entered, and its pixel flagged; in all others every k gives the same segments, to
+/// the last bit. With cell data the order is believed where distances differ by their rounding only
+/// (TileDraw::sameDistance).
 template <class Lanes, template <class> class PayloadOf>
 class LastOfPixels {
  public:
@@ -127,7 +131,11 @@ class LastOfPixels {
     // Kept with a fragment is not its kind but the inside-count behind it, which leave() then gives back.
     const typename A::Fragment last = Stored::load(state_);
     Inserted<typename A::Segment> done;
-    done.wrong = bits & Lanes::bitsOf(incoming.distance < last.distance - Real(tile.sameDistance));
+    // Of exitBeforeEntry (core/kbuffer.glsl): an exit that may have to go before an entry at its place.
+    const Mask touches = (last.payload.kind > Real(1.5f)) && (incoming.payload.kind < Real(-0.5f)) &&
+                         (incoming.distance - last.distance < Real(A::kLateTolerance));
+    done.wrong =
+        bits & (Lanes::bitsOf(incoming.distance < last.distance - Real(tile.sameDistance)) | Lanes::bitsOf(touches));
     incoming.distance = Lanes::most(incoming.distance, last.distance);
     done.taken = bits & ~done.wrong;
     incoming.payload.kind = last.payload.kind + incoming.payload.kind;
@@ -142,6 +150,7 @@ class LastOfPixels {
 
  private:
   using Real = typename Lanes::Real;
+  using Mask = typename Lanes::Mask;
   float* state_;
 };
 
