@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "image/formats.h"
 
 namespace havs {
@@ -93,6 +94,7 @@ bool writeExr(const Image& image, const fs::path& file, const ImageFileOptions&)
 namespace {
 
 std::vector<unsigned char> bytesOf(const fs::path& file) {
+  needMemory(static_cast<double>(fs::file_size(file)), "the file", file.string());
   std::vector<unsigned char> bytes(fs::file_size(file));
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
