@@ -3,6 +3,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "core/memory_budget.h"
 #include "support/temporary_folder.h"
 
 namespace havs::fuzz {
@@ -19,6 +20,8 @@ void requireSound(const std::vector<Field>& fields, std::size_t tuples) {
 
 std::filesystem::path asFile(const std::string& name, std::string_view bytes) {
   static const test::TemporaryFolder folder;
+  static const bool limited = (limitMemory(kMemoryLimit), true);
+  static_cast<void>(limited);
   const std::filesystem::path file = folder / name;
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return file;

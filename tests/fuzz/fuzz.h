@@ -19,6 +19,9 @@ inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
+/// What a target's process may have in memory (core/memory_budget.h).
+inline constexpr std::size_t kMemoryLimit = std::size_t{256} << 20;
+
 /// Writes the bytes to a file called `name` in a folder of this process.
 std::filesystem::path asFile(const std::string& name, std::string_view bytes);
 

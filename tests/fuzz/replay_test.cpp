@@ -53,7 +53,6 @@ HAVS_CASE(HAVS_FUZZ_TARGET) {
         "readers of " HAVS_TEXT(HAVS_FUZZ_TARGET) " meet counts, numbers and ends of file that no writer writes",
         "fuzzed by libFuzzer under sanitizers; here its corpus runs, cut at every byte, and mutations of it"});
   const ThreadLimit oneThread(1);
-  const std::size_t before = peakMemoryBytes();
   alarm(kSecondsUntilHung);
   Inputs inputs;
   std::vector<std::string> contents;
@@ -70,8 +69,9 @@ HAVS_CASE(HAVS_FUZZ_TARGET) {
   alarm(0);
   EXPECT_GT(inputs.tried, static_cast<std::size_t>(kMutations));
   expectAtMost("inputs neither read nor refused", static_cast<double>(inputs.wrong), 0);
-  // Some times an input, and what the process takes once; the sanitizers' own memory is not counted.
-  if (!kSanitized) expectAtMost("memory taken, MB", static_cast<double>(peakMemoryBytes() - before) / 1e6, 64);
+  if (!kSanitized)
+    expectAtMost("memory, MB", static_cast<double>(peakMemoryBytes()) / 1e6,
+                 static_cast<double>(fuzz::kMemoryLimit) / 1e6);
 }
 
 }  // namespace
