@@ -81,9 +81,10 @@ TEST_F(HostileHeaders, PicturesOfATrillionPixels) {
        "no more pixels are believed than the file's bytes can unpack to (1,100 of one at most)");
   folder.write("a.pfm", "PF\n1000000 1000000\n-1.0\n");
   folder.write("a.png", pngBytes(1000000, 1000000, std::string(1, '\0')));
+  folder.write("b.png", pngBytes(0x7fffffff, 0x7fffffff, std::string(1, '\0')));
   folder.write("a.exr", exrOf(999999));
   folder.write("b.exr", exrOf(0x7fffffff));
-  for (const char* name : {"a.pfm", "a.png", "a.exr", "b.exr"}) expectRefused({"compare", name, name}, name);
+  for (const char* name : {"a.pfm", "a.png", "b.png", "a.exr", "b.exr"}) expectRefused({"compare", name, name}, name);
 }
 
 #if HAVS_WITH_TETGEN
