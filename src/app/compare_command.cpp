@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/compare_report.h"
 #include "app/print_json.h"
+#include "app/read_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
 #include "core/find_row.h"
@@ -174,6 +175,7 @@ void addCompareCommand(CLI::App& program) {
       ->type_name("MEASURE=VALUE")
       ->take_all()
       ->expected(1);
+  addMaxMemoryOption(*command);
   command->add_flag("--json", options->json, "Report as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors (and what --json asks for)");
   command->callback([options] { compare(*options); });

@@ -9,6 +9,7 @@
 #include "app/scene_file.h"
 #include "app/scene_views.h"
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/output_file.h"
 #include "image/image.h"
 
@@ -63,6 +64,10 @@ std::vector<AskedPicture> askedPictures(const PictureOptions& options) {
       if (!all.insert(std::filesystem::absolute(output).lexically_normal()).second)
         failInput("is named twice as a picture to write", output.string(), "one would overwrite the other");
     }
+  double bytes = 0;
+  for (const AskedPicture& picture : pictures)
+    bytes += 4.0 * sizeof(float) * picture.scene.width * picture.scene.height;
+  needMemory(bytes, fmt::format("the {} pictures", pictures.size()), "views", "draw fewer at once");
   return pictures;
 }
 

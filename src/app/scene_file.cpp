@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <variant>
@@ -13,6 +12,7 @@
 #include "app/scene_views.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/text_file.h"
 #include "transfer/json_text.h"
 
 namespace havs {
@@ -42,6 +42,7 @@ const std::vector<Key>& keys() {
       {"mesh", "INPUT", &S::mesh, &kFile},
       {"plot3d_solution", "--q", &S::plot3dSolution, &kFile},
       {"tetgen", "--tetgen", &S::tetgenSwitches},
+      {"max_memory", "--max-memory", &S::maxMemory},
       {"field", "--field", &S::field},
       {"transfer_function", "--tf", &S::transferFunction, &kTransferFunction},
       {"unit_length", "--unit-length", &S::unitLength},
@@ -177,11 +178,7 @@ struct SchemaOf {
 };
 
 Json contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  if (!stream) failInput("cannot be read", file.string(), "is there such a file?");
-  Json json = parseJson<Json>(text.str(), file.string());
+  Json json = parseJson<Json>(readTextFile(file), file.string());
   if (!json.is_object()) failInput("a scene must be a JSON object", file.string());
   return json;
 }
@@ -190,11 +187,13 @@ void change(Json& scene, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     failInput("'" + assignment + "' is no change", "--set", "write key=value, such as k=4 or camera.azimuth=30");
-  Json value = Json::parse(assignment.substr(equals + 1), nullptr, false);
+  Json value = parsedOrDiscarded<Json>(std::string_view(assignment).substr(equals + 1));
   if (value.is_discarded()) value = assignment.substr(equals + 1);
   Json* at = &scene;
   std::istringstream path(assignment.substr(0, equals));
+  int depth = 0;
   for (std::string part; std::getline(path, part, '.');) {
+    if (++depth > kDeepestJson) failInput("a key of so many parts is none", "--set", "such as camera.azimuth");
     if (!at->is_object() && !at->is_null())
       failInput("'" + assignment + "' changes a part of what has none", "--set", "set the whole of it");
     at = &(*at)[part];

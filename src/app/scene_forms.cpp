@@ -1,12 +1,13 @@
 #include "app/scene_forms.h"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "app/color_form.h"
 #include "app/isosurface_options.h"
 #include "app/overlay_options.h"
+#include "core/text_file.h"
+#include "transfer/json_text.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
@@ -137,9 +138,10 @@ const Form kCamera{"an object with azimuth, elevation and so on",
                      return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
                    },
                    [](const std::string& text, const Folder&) {
-                     Json object = Json::parse(text, nullptr, false);
-                     std::ifstream file(text);  // or a file with it
-                     if (object.is_discarded() && file) object = Json::parse(file, nullptr, false);
+                     Json object = parsedOrDiscarded<Json>(text);
+                     std::error_code none;  // or a file with it
+                     if (object.is_discarded() && std::filesystem::is_regular_file(text, none))
+                       object = parsedOrDiscarded<Json>(readTextFile(text));
                      return object.is_object() ? object : Json(text);
                    }};
 

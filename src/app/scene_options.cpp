@@ -1,7 +1,6 @@
 #include "app/scene_options.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,8 +9,10 @@
 #include "app/isosurface_options.h"
 #include "app/light_options.h"
 #include "app/overlay_options.h"
+#include "app/read_options.h"
 #include "app/table_names.h"
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/nearest_name.h"
 #include "image/color_names.h"
 #include "render/devices.h"
@@ -43,6 +44,7 @@ void addInputOptions(CLI::App& command, SceneOptions& options) {
   add(command, kGroup, "--q", options.plot3dSolution, "FILE", "PLOT3D's solution (default: found beside the grid)");
   add(command, kGroup, "--tetgen", options.tetgenSwitches, "SWITCHES",
       "TetGen's switches for a surface (default " + Scene{}.tetgenSwitches + ")");
+  add(command, kGroup, kMaxMemoryOption, options.maxMemory, "SIZE", kMaxMemoryHelp);
 }
 
 void addTransferOptions(CLI::App& command, SceneOptions& options) {
@@ -127,12 +129,8 @@ std::string known(const char* option, const std::string& name, const std::vector
 }
 
 void refusePictureBeyondMemory(const Scene& scene) {
-  const double needed = 4.0 * sizeof(float) * scene.width * scene.height;
-  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed > available)
-    failInput(fmt::format("a picture of {} x {} needs {:.1f} GB, this machine has {:.1f} GB", scene.width, scene.height,
-                          needed / 1e9, available / 1e9),
-              "--size", "make it smaller");
+  needMemory(4.0 * sizeof(float) * scene.width * scene.height,
+             fmt::format("a picture of {} x {}", scene.width, scene.height), "--size", "make it smaller");
 }
 
 void setSize(Scene& scene, const std::string& text) {
@@ -241,6 +239,7 @@ Scene makeScene(const SceneOptions& options) {
   setCamera(scene, options);
   setMethod(scene, options);
   checkScene(scene);
+  if (options.maxMemory) limitMemory(parseMemorySize(*options.maxMemory, kMaxMemoryOption));
   refusePictureBeyondMemory(scene);
   return scene;
 }

@@ -23,7 +23,7 @@ struct SceneOptions {
   std::optional<std::string> projection;
   std::optional<double> unitLength, earlyTermination;
   std::optional<int> tableSize, threads, repeat;
-  std::optional<std::string> threshold;
+  std::optional<std::string> threshold, maxMemory;
   std::vector<std::string> clipPlanes, clipBoxes, cutBoxes;
   std::vector<std::string> isosurfaces;
   std::optional<std::string> outline, surface, wireFrame;

@@ -147,8 +147,9 @@ StudyRequest requestOf(const StudyOptions& options, const CLI::App& command) {
   const std::vector<std::string> justNow{"--restart", "--json", "--quiet"};
   StudyRequest request;
   request.command = commandLineOf(command, justNow);
-  request.identity = commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory"}) +
-                     contentOfSceneFile(options);
+  request.identity =
+      commandLineOf(command, {"--restart", "--json", "--quiet", "--out", "--keep-memory", "--max-memory"}) +
+      contentOfSceneFile(options);
   request.scenes = scenesOf(options);
   refuseAutomaticK(request.scenes);
   request.effects = options.effects;

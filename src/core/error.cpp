@@ -5,6 +5,11 @@ namespace {
 std::string joined(const std::string& what, const std::string& where, const std::string& tryThis) {
   std::string text = where.empty() ? what : where + ": " + what;
   if (!tryThis.empty()) text += "; " + tryThis;
+  for (char& c : text)
+    if (c == '\n' || c == '\r' || c == '\t')
+      c = ' ';
+    else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
+      c = '?';
   return text;
 }
 }  // namespace

@@ -10,7 +10,8 @@ enum class ErrorKind {
   running  ///< something failed while running (disk, memory, driver): exit status 1
 };
 
-/// The one exception of the project. `what()` is "WHERE: WHAT; TRY" on one line.
+/// The one exception of the project. `what()` is "WHERE: WHAT; TRY" on one line: what it quotes of a file may hold
+/// anything, so control characters become blanks or '?', as a terminal obeys them and NUL would end the text.
 class Error : public std::runtime_error {
  public:
   /// `what`: what is wrong. `where`: file and line, cell number, option; may be empty. `tryThis`: what to do; may be

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "image/formats.h"
 
 namespace havs {
@@ -93,6 +94,7 @@ bool writeExr(const Image& image, const fs::path& file, const ImageFileOptions&)
 namespace {
 
 std::vector<unsigned char> bytesOf(const fs::path& file) {
+  needMemory(static_cast<double>(fs::file_size(file)), "the file", file.string());
   std::vector<unsigned char> bytes(fs::file_size(file));
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -126,6 +128,8 @@ StoredImage readExr(const fs::path& file) {
   const char* error = nullptr;
   if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &error) != TINYEXR_SUCCESS)
     failInput("broken OpenEXR header: " + messageOf(error), file.string());
+  for (const char* color : {"B", "G", "R"})
+    if (channelNamed(header, color) < 0) failInput(std::string("no channel ") + color, file.string());
   constexpr double kMostThatZipShrinks = 1100;  // deflate packs 1032 bytes into one at best
   const std::int64_t width = std::int64_t{header.data_window.max_x} - header.data_window.min_x + 1;
   const std::int64_t height = std::int64_t{header.data_window.max_y} - header.data_window.min_y + 1;
@@ -137,7 +141,6 @@ StoredImage readExr(const fs::path& file) {
   const std::size_t pixels = image.rgba.size() / kChannels;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const int channel = channelNamed(header, kNames[c]);
-    if (channel < 0 && kPlaceInRgba[c] != 3) failInput(std::string("no channel ") + kNames[c], file.string());
     const auto* plane = channel < 0 ? nullptr : reinterpret_cast<const float*>(loaded.image.images[channel]);
     for (std::size_t i = 0; i < pixels; ++i) image.rgba[kChannels * i + kPlaceInRgba[c]] = plane ? plane[i] : 1.0f;
   }

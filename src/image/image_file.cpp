@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/output_file.h"
 #include "image/formats.h"
 
@@ -47,6 +48,8 @@ Image emptyImage(std::int64_t width, std::int64_t height, std::uintmax_t availab
   if (!plausible)
     failInput(fmt::format("the header promises {} x {} pixels, which the file cannot hold", width, height),
               file.string(), "is it cut off?");
+  needMemory(4.0 * sizeof(float) * static_cast<double>(width) * static_cast<double>(height),
+             fmt::format("a picture of {} x {} pixels", width, height), file.string());
   Image image;
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);

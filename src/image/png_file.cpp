@@ -39,7 +39,7 @@ struct Reader {
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-/// After it, rows come as RGBA, 16 bits a channel in the machine's byte order.
+/// No memory is taken for rows yet.
 bool readHeader(Reader& reader, std::FILE* file) {
   if (setjmp(png_jmpbuf(reader.png))) return false;
   png_init_io(reader.png, file);
@@ -48,16 +48,17 @@ bool readHeader(Reader& reader, std::FILE* file) {
   reader.bits = png_get_bit_depth(reader.png, reader.info) == 16 ? 16 : 8;
   reader.hasOpacity = (png_get_color_type(reader.png, reader.info) & PNG_COLOR_MASK_ALPHA) != 0 ||
                       png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0;
-  png_set_expand_16(reader.png);
-  png_set_gray_to_rgb(reader.png);
-  png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
-  if constexpr (std::endian::native == std::endian::little) png_set_swap(reader.png);
-  png_read_update_info(reader.png, reader.info);
   return true;
 }
 
 bool readRows(Reader& reader, Image& image, std::vector<std::uint16_t>& row) {
   if (setjmp(png_jmpbuf(reader.png))) return false;
+  // RGBA, 16 bits a channel in the machine's byte order.
+  png_set_expand_16(reader.png);
+  png_set_gray_to_rgb(reader.png);
+  png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
+  if constexpr (std::endian::native == std::endian::little) png_set_swap(reader.png);
+  png_read_update_info(reader.png, reader.info);
   for (int y = 0; y < image.height; ++y) {
     png_read_row(reader.png, reinterpret_cast<png_bytep>(row.data()), nullptr);
     for (int x = 0; x < image.width; ++x) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/parallel.h"
 #include "mesh/cell_check.h"
 #include "mesh/cell_cutter.h"
@@ -82,6 +83,9 @@ TetMesh cutIntoTetrahedra(CellSoup cells, const std::string& where) {
   if (std::all_of(cells.types.begin(), cells.types.end(), [](std::uint8_t type) { return type == kTetra; }))
     return takeTetrahedra(std::move(cells));
 
+  // A cell becomes about as many tetrahedra as it has corners, each with the number of its cell.
+  needMemory((sizeof(Tetrahedron) + sizeof(Index)) * static_cast<double>(cells.connectivity.size()),
+             fmt::format("cutting {} cells into tetrahedra", cells.types.size()), where);
   // Diagonals are chosen by point number, so pieces that meet in doubled points must be welded before they are cut.
   TetMesh mesh;
   const std::size_t before = cells.points.size();

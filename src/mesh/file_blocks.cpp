@@ -8,11 +8,13 @@
 #include <cerrno>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/parallel.h"
 
 namespace havs {
 
-FileBlocks::FileBlocks(const std::filesystem::path& file) : file_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+FileBlocks::FileBlocks(const std::filesystem::path& file)
+    : name_(file.string()), file_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
   struct stat status {};
   if (file_ >= 0 && fstat(file_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::size_t>(status.st_size);
@@ -38,6 +40,7 @@ bool FileBlocks::read(std::size_t offset, std::span<char> bytes) const {
 FileText::FileText(const std::filesystem::path& file) {
   const FileBlocks blocks(file);
   size_ = blocks.size();
+  needMemory(static_cast<double>(size_), "its text", file.string(), "convert it to .vtu, which is read in pieces");
   text_ = std::make_unique_for_overwrite<char[]>(size_);
   constexpr std::size_t kGrain = 1 << 20;
   std::atomic<bool> whole = true;

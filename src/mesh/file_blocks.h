@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace havs {
@@ -17,12 +18,14 @@ class FileBlocks {
   FileBlocks(const FileBlocks&) = delete;
   FileBlocks& operator=(const FileBlocks&) = delete;
 
+  const std::string& name() const { return name_; }
   /// Bytes, as it was opened.
   std::size_t size() const { return size_; }
   /// Fills `bytes` from the place `offset` on. False when the file does not reach so far or the disk refuses.
   bool read(std::size_t offset, std::span<char> bytes) const;
 
  private:
+  std::string name_;
   int file_ = -1;
   std::size_t size_ = 0;
 };

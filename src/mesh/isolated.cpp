@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAVS_SANITIZED 1  // their shadow memory is larger than any machine
@@ -67,8 +68,8 @@ void limitChild() {
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
 #ifndef HAVS_SANITIZED
-  const auto machine = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-  const rlimit memory{machine, machine};
+  const rlim_t most = memoryLimit();
+  const rlimit memory{most, most};
   setrlimit(RLIMIT_DATA, &memory);
 #endif
 }
@@ -152,6 +153,7 @@ void ByteWriter::flush() {
 }
 
 void ByteWriter::writeThrough(std::span<const std::byte> bytes) const {
+  needMemory(static_cast<double>(bytes.size()), "what a child process hands back");
   while (!bytes.empty()) {
     const ssize_t written = ::write(file_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
@@ -194,6 +196,7 @@ void ByteReader::read(std::span<std::byte> bytes) {
 
 std::size_t ByteReader::checkedCount(std::size_t count, std::size_t bytesEach) const {
   if (count > (size_ - position_) / bytesEach) failRunning("a child process handed back less than it announced");
+  needMemory(static_cast<double>(count) * static_cast<double>(bytesEach), "what a child process read");
   return count;
 }
 

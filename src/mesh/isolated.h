@@ -81,8 +81,8 @@ struct IsolatedRun {
 };
 
 /// Runs `work` in a child process (of one thread: it must not use core/parallel.h) and waits for its end. The child may
-/// take as much memory as the machine has, so that a header's lie about counts ends in std::bad_alloc.
-/// An Error that `work` throws is thrown here; std::bad_alloc and other exceptions as Error{running}.
+/// take as much memory as memoryLimit() (core/memory_budget.h), so that a header's lie about counts ends in
+/// std::bad_alloc. An Error that `work` throws is thrown here; std::bad_alloc and other exceptions as Error{running}.
 IsolatedRun runIsolated(const std::function<void(ByteWriter&)>& work);
 
 }  // namespace havs

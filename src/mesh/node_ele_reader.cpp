@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "mesh/cells.h"
 #include "mesh/formats.h"
 #include "mesh/numbered_rows.h"
@@ -64,9 +65,10 @@ std::size_t columns(TextScanner& in, const char* what) {
 /// memory for it: such a table is read into one row, until what is missing is found.
 class Rows {
  public:
-  Rows(const TextScanner& in, std::size_t count, std::size_t columns) {
+  Rows(const TextScanner& in, std::size_t count, std::size_t columns, const char* what) {
     constexpr std::size_t kShortest = 2;  // a digit and a space
     fits_ = in.holds(count * columns * kShortest);
+    if (fits_) needMemory(sizeof(double) * static_cast<double>(count * columns), fmt::format("{} {}", count, what));
     size_ = fits_ ? count : 1;
   }
   std::size_t size() const { return size_; }
@@ -93,7 +95,7 @@ Points readPoints(const fs::path& file, const Progress& progress) {
   points.hasMarkers = columns(in, "the number of boundary markers") > 0;
 
   for (std::size_t a = 0; a < attributes; ++a) points.fields.push_back({fmt::format("attribute{}", a), 1, {}});
-  const Rows room(in, count, 4 + attributes);
+  const Rows room(in, count, 4 + attributes, "points");
   points.positions.resize(room.size());
   room.make(points.fields);
   const auto read = [&](TextScanner& line, std::size_t index, std::int64_t) {
@@ -151,7 +153,7 @@ Cells readCells(const fs::path& file, const Points& points, const Progress& prog
   if (nodes != 4 && nodes != 10) in.fail(fmt::format("tetrahedra have {} points", nodes), "4 and 10 are read");
   cells.fields = attributeFields(columns(in, "the number of attributes"));
 
-  const Rows room(in, count, 1 + static_cast<std::size_t>(nodes) + cells.fields.size());
+  const Rows room(in, count, 1 + static_cast<std::size_t>(nodes) + cells.fields.size(), "tetrahedra");
   cells.corners.resize(room.size());
   if (nodes == 10) cells.midNodes.resize(room.size());
   room.make(cells.fields);

@@ -33,6 +33,7 @@ RowsRead readLineByLine(TextScanner& in, const NumberedRows& rows, const Progres
       in.fail(fmt::format("{} number {} stands where {} is expected", rows.one, number, wanted),
               "number them one after the other, from 0 or from 1");
     rows.read(in, i, number);
+    in.refuseDecimalCommas();
     result.longLines += in.more() ? 1 : 0;
     if (progress && i % kReport == 0) progress(rows.stage, in.fraction());
   }
@@ -73,6 +74,7 @@ std::optional<std::size_t> readStretch(const TextScanner& whole, const Stretch& 
   for (; in.nextLine(); ++wanted) {
     if (wanted == stretch.end || in.integer(rows.number) != wanted) return {};
     rows.read(in, static_cast<std::size_t>(wanted - firstNumber), wanted);
+    in.refuseDecimalCommas();
     longLines += in.more() ? 1 : 0;
   }
   if (wanted != stretch.end) return {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/parallel.h"
 #include "mesh/cell_check.h"
 #include "mesh/cells.h"
@@ -56,6 +57,8 @@ TetMesh cutStructuredGrid(Size size, std::vector<Vec3> points, std::vector<int> 
       if (!blank.empty() && blank[corner(cell, bits)] == 0) return false;
     return true;
   };
+  needMemory((sizeof(Index) + 5.0 * sizeof(Tetrahedron)) * static_cast<double>(cellCount),
+             fmt::format("cutting {} grid cells into tetrahedra", cellCount), where);
   std::vector<Index> kept;
   kept.reserve(cellCount);
   for (std::size_t cell = 0; cell < cellCount; ++cell)

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 
 namespace havs {
 
@@ -11,6 +12,7 @@ BinaryFile::BinaryFile(const std::filesystem::path& file) : file_(file.string())
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
   if (size < 0) failInput("cannot be read", file_, "check that it exists and its permissions");
+  needMemory(static_cast<double>(size), "the file", file_, "simplify the surface");
   bytes_.resize(static_cast<std::size_t>(size));
   stream.seekg(0);
   stream.read(reinterpret_cast<char*>(bytes_.data()), size);

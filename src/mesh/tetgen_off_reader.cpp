@@ -24,6 +24,7 @@ Surface readOffSurface(const std::filesystem::path& file) {
     const double x = in.real("x");
     const double y = in.real("y");
     const double z = in.real("z");
+    in.refuseDecimalCommas();
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
       in.fail("the point has a coordinate that is not finite", "correct it");
     surface.points.emplace_back(x, y, z);

@@ -49,6 +49,7 @@ std::int64_t readPointLines(TextScanner& in, std::size_t count, std::size_t attr
       in.fail("the point has a coordinate that is not finite", "correct it");
     for (Field& field : surface.pointFields) field.values.push_back(in.real("an attribute"));
     if (markers) optionalInteger(in, "a boundary marker");
+    in.refuseDecimalCommas();
   }
   return first;
 }

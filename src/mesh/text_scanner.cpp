@@ -52,6 +52,8 @@ TextScanner::TextScanner(const std::filesystem::path& file)
     : file_(file.string()), text_(std::make_shared<FileText>(file)) {
   begin_ = at_ = text_->view().data();
   end_ = at_ + text_->view().size();
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text_->view().starts_with(kByteOrderMark)) at_ += kByteOrderMark.size();
   const std::string_view head = text_->view().substr(0, 4096);
   if (head.find('\0') != std::string_view::npos || (!head.empty() && head[0] == '\x07'))
     failInput("the file is binary, text is expected", file_, "write it as ASCII");
@@ -80,6 +82,7 @@ bool TextScanner::nextLine() {
     skipSeparators();
     if (at_ < end_ && *at_ != '\n' && *at_ != '#') {
       inLine_ = true;
+      lineBegin_ = at_;
       return true;
     }
   }
@@ -93,6 +96,20 @@ void TextScanner::needLine(std::string_view wanted) {
 bool TextScanner::more() {
   skipSeparators();
   return inLine_ && at_ < end_ && *at_ != '\n' && *at_ != '#';
+}
+
+void TextScanner::refuseDecimalCommas() {
+  if (!more()) return;
+  const std::string_view line(lineBegin_, static_cast<std::size_t>(std::find(at_, end_, '\n') - lineBegin_));
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t within = 0, others = 0;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const bool blank = line[i] == ' ' || line[i] == '\t';
+    within += line[i] == ',' && isDigit(line[i - 1]) && isDigit(line[i + 1]) ? 1 : 0;
+    others += blank && isDigit(line[i - 1]) && line[i + 1] != ',' ? 1 : 0;
+  }
+  if (within > 0 && others > 0)
+    fail("the line holds more than its numbers, some of them joined by commas", "write decimal points: 0.5, not 0,5");
 }
 
 std::string_view TextScanner::word(std::string_view wanted) {

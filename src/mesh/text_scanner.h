@@ -11,7 +11,7 @@ namespace havs {
 
 /// Walks through a text file line by line and number by number, and knows where it is when something is wrong.
 /// Comments (from # to the end of the line) and lines with nothing else are passed over. Spaces, tabs and commas
-/// separate.
+/// separate. A byte order mark of UTF-8 before the text is passed over.
 class TextScanner {
  public:
   /// Reads the whole file. Throws Error{input} when it cannot be read or is binary.
@@ -31,6 +31,9 @@ class TextScanner {
   /// The next number of the line; "nan" and "inf" are numbers. Throws Error{input} when it is missing or no number.
   double real(std::string_view wanted);
   std::int64_t integer(std::string_view wanted);
+  /// Throws Error{input} where the line holds more and seems to write its numbers with decimal commas: "1 0,5 0,5 0,5".
+  /// Commas separate, so the numbers were wrong.
+  void refuseDecimalCommas();
   /// The next character of the line, 0 at its end.
   char peek();
   /// The whole next line, commas and # included, without blanks at either end; it may be empty. For names.
@@ -62,6 +65,7 @@ class TextScanner {
   const char* begin_ = nullptr;
   const char* at_ = nullptr;
   const char* end_ = nullptr;
+  const char* lineBegin_ = nullptr;  // of a line that nextLine() found
   std::size_t line_ = 0;
   bool inLine_ = false;
 };

@@ -11,6 +11,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/memory_budget.h"
 #include "mesh/cells.h"
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
@@ -101,6 +102,7 @@ Header readHeader(TextScanner& in) {
 }
 
 void readPoints(TextScanner& in, std::size_t count, CellSoup& soup, Numbering& numbering) {
+  needMemory(sizeof(Vec3) * static_cast<double>(count), fmt::format("{} points", count));
   soup.points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     in.needLine(fmt::format("point {} of {}", i + 1, count));
@@ -108,6 +110,7 @@ void readPoints(TextScanner& in, std::size_t count, CellSoup& soup, Numbering& n
     const double x = in.real("x");
     const double y = in.real("y");
     soup.points.emplace_back(x, y, in.real("z"));
+    in.refuseDecimalCommas();
   }
 }
 
@@ -168,6 +171,8 @@ std::vector<Field> readFields(TextScanner& in, const Numbering& numbering) {
     in.fail(fmt::format("the values of {} {}s, {} each, are promised, but the rest of the file is too short for them",
                         numbering.size(), numbering.what(), total),
             "is the file cut short?");
+  needMemory(sizeof(double) * static_cast<double>(total * numbering.size()),
+             fmt::format("{} values of each of {} {}s", total, numbering.size(), numbering.what()));
 
   std::vector<char> seen(numbering.size(), 0);
   for (std::size_t i = 0; i < numbering.size(); ++i) {

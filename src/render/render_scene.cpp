@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/memory_budget.h"
 #include "core/parallel.h"
 #include "reference/edge_mask.h"
 #include "render/devices.h"
@@ -46,6 +47,13 @@ void describePlan(const RenderPlan& chosen, RenderReport& report) {
   report.bytesPerPixel = static_cast<std::size_t>(chosen.bytesPerPixel);
   report.targetBytes =
       report.bytesPerPixel * static_cast<std::size_t>(chosen.tileWidth) * static_cast<std::size_t>(chosen.tileHeight);
+}
+
+/// Tables, buffers and targets, as the plan foresees them.
+void needMemoryOf(const RenderPlan& chosen) {
+  double bytes = 0;
+  for (const PlanItem& item : chosen.items) bytes += static_cast<double>(item.bytes);
+  needMemory(bytes, "drawing", "", "try a smaller --size, --table or --k; havs plan says what needs how much");
 }
 
 /// The scene with the k of the search, where it asks for one.
@@ -124,6 +132,7 @@ class SceneDrawer {
       renderer_.reset();
       chosen_ = plan(withChosenK(scene, prepared, view, capabilities, report.stages, progress_), prepared.facts(),
                      capabilities);
+      needMemoryOf(chosen_);
       renderer_ = makeRenderer(prepared, chosen_, report.stages, progress_);
     }
     describePlan(chosen_, report);

@@ -95,6 +95,8 @@ View makeView(const Camera& camera, const LocalFrame& frame, int width, int heig
     view.halfHeight = tangent / camera.zoom;
   }
   view.halfWidth = view.halfHeight * aspect;
+  const bool hasSize = view.halfWidth > 0 && view.halfHeight > 0 && std::isfinite(view.halfWidth + view.halfHeight);
+  if (!hasSize) failInput("the zoom is beyond what numbers hold", "camera", "1 shows the whole mesh");
   return view;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,7 +12,9 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/text_file.h"
 #include "scene/camera.h"
+#include "transfer/json_text.h"
 
 namespace havs {
 namespace {
@@ -61,7 +62,7 @@ const std::map<std::string, Setter>& setters() {
 Camera fromJson(const std::string& text, Projection defaultProjection) {
   Camera camera;
   camera.projection = defaultProjection;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parsedOrDiscarded<Json>(text);
   if (!json.is_object()) failInput("not a JSON object", "camera", R"(for example {"azimuth": 30, "elevation": 20})");
   for (const auto& [key, value] : json.items()) {
     const auto setter = setters().find(key);
@@ -101,10 +102,7 @@ Camera parseCamera(const std::string& text, Projection projection) {
   if (begin != std::string::npos && text[begin] == '{') return fromJson(text, projection);
   std::error_code ignored;
   if (std::filesystem::is_regular_file(text, ignored)) {
-    std::ifstream file(text);
-    std::stringstream content;
-    content << file.rdbuf();
-    return fromJson(content.str(), projection);
+    return fromJson(readTextFile(text), projection);
   }
   return fromAngles(text, projection);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "core/parallel.h"
 #include "mesh/read.h"
 #include "mesh/spatial_order.h"
@@ -19,6 +20,10 @@
 
 namespace havs {
 namespace {
+
+/// Beyond the mesh as read: neighbours, faces, local points, and the order (docs/07-performance.md, Faces, order,
+/// tables).
+constexpr double kBytesPerTetrahedron = 120;
 
 /// Adds up the parts of the two stages, which do not run in one go; each counts as one run in the end.
 class StageSums {
@@ -136,6 +141,9 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
   PreparedScene prepared;
   StageSums sums(stages);
   prepared.notes = mesh.notes;
+  needMemory(kBytesPerTetrahedron * static_cast<double>(mesh.tetrahedra.size()),
+             fmt::format("making {} tetrahedra ready to be drawn", mesh.tetrahedra.size()), scene.mesh.string(),
+             "draw a coarser mesh");
   if (!prepareSound(prepared, scene, mesh, sums)) prepareMended(prepared, scene, std::move(mesh), sums);
   sums.time("prepare", [&] {
     prepared.frame = localFrame(prepared.mesh);

@@ -12,10 +12,12 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <stdexcept>
 #include <thread>
 
 #include "core/error.h"
 #include "study/records_json.h"
+#include "transfer/json_text.h"
 
 namespace havs {
 namespace fs = std::filesystem;
@@ -84,7 +86,8 @@ std::size_t readLines(const std::string& content, const fs::path& file, const St
   std::size_t begin = 0, number = 1;
   for (std::size_t end; (end = content.find('\n', begin)) != std::string::npos; begin = end + 1, ++number) {
     try {
-      const Json json = Json::parse(content.substr(begin, end - begin));
+      const Json json = parsedOrDiscarded<Json>(std::string_view(content).substr(begin, end - begin));
+      if (!json.is_object() || json.size() != 1) throw std::invalid_argument("one object with one name");
       if (number == 1) {
         records.created = json.at("study").at("created");
         checkIdentity(json.at("study").at("identity").get<StudyIdentity>(), identity, file.parent_path());

@@ -1,30 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/text_file.h"
 #include "transfer/transfer_files.h"
 
 namespace havs {
 namespace {
-
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;
-
-std::string readFile(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
-    failInput("is a directory", path.string(), "name a transfer function's file");
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) failInput("cannot be read: " + error.message(), path.string());
-  if (size > kLargestFile) failInput("is larger than 64 MiB and no transfer function", path.string());
-  std::ifstream stream(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) failInput("cannot be read", path.string());
-  return content;
-}
 
 bool isXml(std::string_view content) {
   const std::size_t first = content.find_first_not_of(" \t\r\n");
@@ -42,7 +26,7 @@ TransferFunction readByContent(std::string_view content, const std::filesystem::
 }
 
 TransferFunction loadFile(const std::filesystem::path& path) {
-  TransferFunction function = readByContent(readFile(path), path);
+  TransferFunction function = readByContent(readTextFile(path), path);
   if (function.name.empty()) function.name = path.stem().string();
   return function;
 }

@@ -106,14 +106,6 @@ const std::vector<HardWay>& hardWays() {
   return ways;
 }
 
-havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view) {
-  const Scene scene = drawnIn(way, asked);
-  StageTimes stages;
-  const bool native = way.device == kNativeDevice;
-  const Capabilities can = native ? openRenderDevice(kNativeDevice).capabilities : capabilitiesOf(osmesa());
-  return makeRenderer(prepared, plan(scene, prepared.facts(), can), stages)->draw(view, stages);
-}
-
 Scene hardScene(int size) {
   Scene scene;
   scene.lookup = "exact";

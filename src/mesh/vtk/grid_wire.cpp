@@ -1,6 +1,7 @@
 #include "mesh/vtk/grid_wire.h"
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 
 namespace havs {
 namespace {
@@ -74,6 +75,8 @@ void GridWriter::note(const std::string& text) {
   out_.put(Message::note);
   out_.put(text);
 }
+
+std::size_t GridWriter::memoryLimit() const { return havs::memoryLimit(); }
 
 void GridWriter::finish(const std::string& where) {
   if (!failure_.empty())

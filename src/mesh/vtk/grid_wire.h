@@ -12,6 +12,7 @@ class GridWriter : public GridSink {
   void add(CellSoup&& cells) override;
   void add(StructuredBlock&& grid) override;
   void note(const std::string& text) override;
+  std::size_t memoryLimit() const override;
   void fail(const std::string& what) override { failure_ = what; }
   /// After the last block. Throws Error{input} with `where` when the module failed.
   void finish(const std::string& where);

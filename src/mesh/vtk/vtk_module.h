@@ -15,6 +15,8 @@ class GridSink {
   virtual void add(CellSoup&& cells) = 0;
   virtual void add(StructuredBlock&& grid) = 0;
   virtual void note(const std::string& text) = 0;
+  /// Bytes that a mesh may take.
+  virtual std::size_t memoryLimit() const = 0;
   /// What is wrong with the file: one phrase. Nothing that was added before counts then.
   virtual void fail(const std::string& what) = 0;
 };

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "mesh/file_blocks.h"
 
@@ -18,6 +19,7 @@ class ByteStream {
   ByteStream behind(std::size_t bytes) const;
   /// Whether a text of just `bytes` begins the stream: in base64 it ends in padding, unless bytes is divisible by 3.
   bool padsAfter(std::size_t bytes) const;
+  const std::string& fileName() const { return file_->name(); }
   /// How many bytes there can be at most.
   std::size_t most() const { return base64_ ? (end_ - begin_) / 4 * 3 : end_ - begin_; }
 

@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/memory_budget.h"
 #include "core/parallel.h"
 #include "mesh/vtu/ascii_data.h"
 #include "mesh/vtu/byte_stream.h"
@@ -124,6 +125,8 @@ std::optional<CompressedData::Blocks> blocksOf(const ByteStream& stream, std::si
   if (count == 0 || blockBytes == 0 || blockBytes % bytesEach != 0 || rest >= blockBytes) return {};
   if (bytes / kMostThatZipShrinks > stream.most() || count > stream.most() / headerBytes) return {};
   if (bytes / blockBytes + (rest > 0 ? 1 : 0) != count || bytes % blockBytes != rest) return {};
+  needMemory(static_cast<double>(std::min(count, threadCount())) * static_cast<double>(std::min(blockBytes, bytes)),
+             "unpacking the blocks of an array", stream.fileName());
   std::vector<std::size_t> numbers(3 + count);
   if (!readHeader(stream, headerBytes, numbers)) return {};
   CompressedData::Blocks blocks{{0}, blockBytes, rest == 0 ? blockBytes : rest};

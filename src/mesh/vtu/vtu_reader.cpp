@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/memory_budget.h"
 #include "mesh/vtu/number_types.h"
 #include "mesh/vtu/vtu_data.h"
 #include "mesh/vtu/vtu_layout.h"
@@ -48,6 +49,12 @@ class PlainVtu {
         [&](std::size_t first, std::span<const std::byte> bytes) { return takeEach(array.type, first, bytes, take); });
   }
 
+  /// What the file packs may be a thousand times larger.
+  template <class T>
+  void need(std::size_t count, const std::string& what) const {
+    needMemory(sizeof(T) * static_cast<double>(count), std::to_string(count) + " " + what, file_.name());
+  }
+
   std::unique_ptr<VtuData> open(const VtuArray& array, std::size_t count) const {
     return openVtuData(file_, layout_, array, count);
   }
@@ -62,6 +69,7 @@ class PlainVtu {
   bool readCorners() {
     const auto data = open(layout_.connectivity, 4 * layout_.cells);
     if (!data) return false;
+    need<Tetrahedron>(layout_.cells, "tetrahedra");
     mesh_.tetrahedra.resize(layout_.cells);
     Index* const corners = mesh_.tetrahedra.front().data();
     static_assert(sizeof(Tetrahedron) == 4 * sizeof(Index));
@@ -74,6 +82,7 @@ class PlainVtu {
   bool readPoints() {
     const auto data = open(layout_.coordinates, 3 * layout_.points);
     if (!data) return false;
+    need<Vec3>(layout_.points, "points");
     mesh_.points.resize(layout_.points);
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
     return readDoubles(layout_.coordinates, *data, &mesh_.points.front().x);
@@ -83,6 +92,7 @@ class PlainVtu {
     for (const VtuArray& array : arrays) {
       const auto data = open(array, array.components * tuples);
       if (!data) return false;
+      need<double>(array.components * tuples, "values of '" + array.name + "'");
       fields.push_back({array.name, static_cast<int>(array.components), {}});
       fields.back().values.resize(array.components * tuples);
       if (!readDoubles(array, *data, fields.back().values.data())) return false;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/memory_budget.h"
 #include "gl/check.h"
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
@@ -163,6 +164,8 @@ class ABufferRenderer final : public Renderer {
 
   void reserve(std::size_t fragments) {
     if (fragments_ && fragments_->bytes() >= fragments * kBytesPerFragment) return;
+    needMemory(static_cast<double>(fragments) * kBytesPerFragment, "keeping all fragments of a tile", "",
+               "draw with --visibility kbuffer or cells");
     fragmentsTexture_.reset();
     fragments_.reset();  // before the larger one is taken
     fragments_.emplace("fragments", fragments * kBytesPerFragment);

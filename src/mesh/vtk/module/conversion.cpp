@@ -1,6 +1,5 @@
 #include "mesh/vtk/module/conversion.h"
 
-#include <unistd.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
@@ -31,11 +30,10 @@ std::size_t checkedPoints(vtkIdType points) {
 }
 
 /// A grid's size is a claim of its header alone, as its points need not be in the file.
-void checkMemory(std::size_t points) {
+void checkMemory(std::size_t points, const GridSink& sink) {
   constexpr double kBytesEach = 24 + 5 * 16;  // a point and the tetrahedra of its cell
   const double needed = kBytesEach * static_cast<double>(points);
-  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed > machine)
+  if (needed > static_cast<double>(sink.memoryLimit()))
     throw std::runtime_error("its " + std::to_string(points) + " grid points become more tetrahedra than memory holds");
 }
 
@@ -133,7 +131,7 @@ bool convertStructured(Grid& grid, GridSink& sink) {
     if (size[axis] < 2) return false;
     block.size[axis] = static_cast<std::size_t>(size[axis]);
   }
-  checkMemory(checkedPoints(grid.GetNumberOfPoints()));
+  checkMemory(checkedPoints(grid.GetNumberOfPoints()), sink);
   block.points = pointsOf(grid);
   block.blank = blankOf(grid);
   block.hiddenCell = hiddenCells(grid);

@@ -1,0 +1,7 @@
+// STL, ASCII and binary: the surface that TetGen fills.
+#include "fuzz/surfaces.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace havs;
+  return fuzz::readSurface("surface.stl", fuzz::textOf(data, size), readStlSurface);
+}
