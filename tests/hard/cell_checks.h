@@ -1,0 +1,36 @@
+#pragma once
+// What the cases of the group "Cells" share: data for a mesh, and pictures whose truth is checked as well, against the
+// cells clipped one by one in long double.
+#include "hard/hard_case.h"
+#include "support/meshes.h"
+
+namespace havs::test {
+
+/// The mesh with a smooth point field of [0, 1].
+TetMesh withPointData(TetMesh mesh);
+/// The mesh with a cell field of random values of [0, 1], far from those of the cells' neighbours.
+TetMesh withCellData(TetMesh mesh, std::uint32_t seed = 1);
+
+/// Extinction and colour linear in the scalar, so that the opacity of each ray has a closed form.
+Scene rampScene(int size = 48);
+
+/// Greatest difference of the truth's opacity from 1 - exp(-sum of length * mean extinction) over the cells that a ray
+/// meets, a point in more than one of them belonging to that entered first. Every `stride`-th pixel each way.
+double truthError(const HardPicture& picture, int stride = 3);
+
+/// Pixels whose rays are in more than one cell at once, over more than `tolerance`; the three around them, too.
+std::vector<unsigned char> overlapMask(const HardPicture& picture, double tolerance = 1e-9);
+
+class CellsTest : public HardPictureTest {
+ protected:
+  void tellCells(const std::string& trouble, const std::string& remedy) { tell({"Cells", trouble, remedy}); }
+  /// Draws in every way, and checks the truth (truthError).
+  HardPicture expectCells(const TetMesh& mesh, const HardBounds& bounds = {}, const Scene& scene = rampScene());
+  /// The same with point data, and with cell data.
+  void expectBothData(const TetMesh& mesh, const HardBounds& bounds = {}, const Scene& scene = rampScene());
+};
+
+/// Count of a kind of defect that the scene's report gives.
+std::size_t defectCount(const PreparedScene& prepared, const std::string& name);
+
+}  // namespace havs::test
