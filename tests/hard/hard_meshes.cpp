@@ -47,9 +47,7 @@ std::vector<double> geometricPlaces(int n, double least, double factor) {
 
 double at(const std::vector<double>& places, int i) { return places[static_cast<std::size_t>(i)]; }
 
-Vec3 onCircle(double radius, double angle, double z) {
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
+Vec3 onCircle(double radius, double angle, double z) { return {radius * std::cos(angle), radius * std::sin(angle), z}; }
 
 }  // namespace
 
@@ -113,8 +111,8 @@ TetMesh sliverLayer(int n, double thickness) {
                static_cast<int>(std::lround((mesh.points[p].y + 1) / edge))}] = static_cast<Index>(p);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
-      mesh.tetrahedra.push_back({inLayer.at({i, j}), inLayer.at({i + 1, j}), inLayer.at({i, j + 1}),
-                                 inLayer.at({i + 1, j + 1})});
+      mesh.tetrahedra.push_back(
+          {inLayer.at({i, j}), inLayer.at({i + 1, j}), inLayer.at({i, j + 1}), inLayer.at({i + 1, j + 1})});
   turnInverted(mesh);
   return mesh;
 }
@@ -142,8 +140,9 @@ TetMesh boundaryLayers(int n, double ratio) {
 TetMesh cellsAroundPoint(int subdivisions) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   TetMesh mesh;
-  mesh.points = {{-1, golden, 0}, {1, golden, 0}, {-1, -golden, 0}, {1, -golden, 0}, {0, -1, golden}, {0, 1, golden},
-                 {0, -1, -golden}, {0, 1, -golden}, {golden, 0, -1}, {golden, 0, 1}, {-golden, 0, -1}, {-golden, 0, 1}};
+  mesh.points = {{-1, golden, 0}, {1, golden, 0}, {-1, -golden, 0}, {1, -golden, 0},
+                 {0, -1, golden}, {0, 1, golden}, {0, -1, -golden}, {0, 1, -golden},
+                 {golden, 0, -1}, {golden, 0, 1}, {-golden, 0, -1}, {-golden, 0, 1}};
   using Triangle = std::array<Index, 3>;
   std::vector<Triangle> triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                                      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},

@@ -14,8 +14,8 @@ TetMesh boxFromTo(const Vec3& low, const Vec3& high, int n);
 /// Both meshes in one as merged() does, with the data of the fields that both have in the same places of their lists.
 TetMesh mergedWithData(TetMesh a, const TetMesh& b);
 
-/// A cell becomes four about a new point: `shares` of its corners, which add up to 1. The point's data are interpolated,
-/// so point data stay the same everywhere; the new cells inherit the cell's data.
+/// A cell becomes four about a new point: `shares` of its corners, which add up to 1. The point's data are
+/// interpolated, so point data stay the same everywhere; the new cells inherit the cell's data.
 void splitCell(TetMesh& mesh, std::size_t cell, const std::array<double, 4>& shares);
 
 /// [-1, 1]^3 as n^3 grid cells (n a multiple of 4) of five tetrahedra, and in its middle, across z, a layer of slivers:
