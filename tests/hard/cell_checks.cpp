@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <random>
-#include <stdexcept>
+#include <set>
 
+#include "reference/edge_mask.h"
 #include "unit/reference/rays.h"
 
 namespace havs::test {
@@ -114,7 +116,75 @@ void CellsTest::expectBothData(const TetMesh& mesh, const HardBounds& bounds, co
     expectCells(withPointData(mesh), bounds, scene);
   }
   SCOPED_TRACE("cell data");
-  expectCells(withCellData(mesh), bounds, scene);
+  expectCells(withCellData(mesh), cellDataBounds(bounds), scene);
+}
+
+void CellsTest::expectSamePictures(const HardPicture& a, const HardPicture& b, double bound) {
+  expectSame("the truths", a.truth, b.truth, bound);
+  for (std::size_t i = 0; i < a.drawings.size(); ++i) {
+    SCOPED_TRACE(a.drawings[i].way.name);
+    expectSame(a.drawings[i].way.group + ", both pictures", a.drawings[i].drawing.image, b.drawings[i].drawing.image,
+               bound);
+  }
+}
+
+HardPicture CellsTest::expectRightBesideOverlaps(const TetMesh& mesh, const Scene& scene) {
+  constexpr std::size_t kAny = ~std::size_t{0};
+  HardBounds anything{.native = 1, .p999 = 1, .traced = 1, .trace = false, .late = kAny};
+  HardPicture picture = expectEveryWay(scene, withPointData(mesh), anything);
+  std::vector<unsigned char> mask = overlapMask(picture);
+  expectAtMost("part of the picture that is overlapped",
+               static_cast<double>(std::count(mask.begin(), mask.end(), 1)) / static_cast<double>(mask.size()), 0.5);
+  const auto edges = boundaryEdgeMask(picture.prepared.points, picture.prepared.faces, picture.view);
+  for (const HardDrawing& d : picture.drawings) {
+    SCOPED_TRACE(d.way.name);
+    std::vector<unsigned char> left = mask;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      left[i] |=
+          (d.way.group != "native" && edges[i] != 0) || (d.drawing.certificate && d.drawing.certificate->count[i] > 0);
+    // The bounds of HardBounds; point data are continuous inside each part, so the grid moves nothing by more.
+    expectSame(d.way.group + " beside the overlaps", d.drawing.image, picture.truth,
+               d.way.group == "native" ? HardBounds{}.native : HardBounds{}.traced, left);
+  }
+  return picture;
+}
+
+void CellsTest::expectDefects(const PreparedScene& prepared, const std::string& name, std::size_t count) {
+  const std::size_t found = defectCount(prepared, name);
+  EXPECT_EQ(found, count) << name;
+  expectAtMost(name + " not counted", static_cast<double>(count) - static_cast<double>(found), 0);
+  const bool told = std::any_of(prepared.notes.begin(), prepared.notes.end(),
+                                [&](const std::string& note) { return note.starts_with(name); });
+  EXPECT_EQ(told, count > 0) << name;
+}
+
+HardBounds cellDataBounds(HardBounds bounds) {
+  bounds.p999 = 1;
+  return bounds;
+}
+
+std::size_t shortestCycle(const PreparedScene& prepared, const View& view) {
+  std::vector<std::set<Index>> behind(prepared.mesh.tetrahedra.size());
+  for (const auto& ray : segmentsOf(prepared, view))
+    for (std::size_t i = 0; i + 1 < ray.size(); ++i)
+      if (ray[i].exit - ray[i].entry > 1e-9 && ray[i + 1].exit - ray[i + 1].entry > 1e-9)
+        behind[ray[i].cell].insert(ray[i + 1].cell);
+  std::size_t shortest = 0;
+  for (Index start = 0; start < behind.size(); ++start) {
+    std::vector<std::size_t> steps(behind.size(), 0);
+    std::deque<Index> next{start};
+    while (!next.empty()) {
+      const Index cell = next.front();
+      next.pop_front();
+      for (const Index other : behind[cell]) {
+        if (steps[other] > 0) continue;
+        steps[other] = steps[cell] + 1;
+        next.push_back(other);
+      }
+    }
+    if (steps[start] > 0 && (shortest == 0 || steps[start] < shortest)) shortest = steps[start];
+  }
+  return shortest;
 }
 
 std::size_t defectCount(const PreparedScene& prepared, const std::string& name) {

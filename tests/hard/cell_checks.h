@@ -28,7 +28,22 @@ class CellsTest : public HardPictureTest {
   HardPicture expectCells(const TetMesh& mesh, const HardBounds& bounds = {}, const Scene& scene = rampScene());
   /// The same with point data, and with cell data.
   void expectBothData(const TetMesh& mesh, const HardBounds& bounds = {}, const Scene& scene = rampScene());
+  /// Expects of the truths and of each way that the two pictures differ by at most `bound`.
+  void expectSamePictures(const HardPicture& a, const HardPicture& b, double bound);
+  /// Cells overlap: draws point data, and expects the bounds at the pixels whose rays are in one cell at a time; of the
+  /// others that they are finite colours. Late pixels are left out, as in expectEveryWay.
+  HardPicture expectRightBesideOverlaps(const TetMesh& mesh, const Scene& scene = rampScene());
+  /// Expects so many defects of the kind, and that they are told in the report's notes.
+  void expectDefects(const PreparedScene& prepared, const std::string& name, std::size_t count);
 };
+
+/// Bounds of cell data: colours jump at the edges of cells. Where the rasteriser's grid puts a pixel on the other side
+/// of one, the difference is the jump: so each pixel's cause is looked for, and the percentile says nothing.
+HardBounds cellDataBounds(HardBounds bounds = {});
+
+/// How many cells the shortest ring has in which each is in front of the next on some ray of the view: then the cells
+/// have no order. 0: there is no ring.
+std::size_t shortestCycle(const PreparedScene& prepared, const View& view);
 
 /// Count of a kind of defect that the scene's report gives.
 std::size_t defectCount(const PreparedScene& prepared, const std::string& name);
