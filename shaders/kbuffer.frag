@@ -19,6 +19,13 @@ uniform float terminalOpacity;
 layout(early_fragment_tests) in;  // the stencil spares pixels that are done (done_pixels.frag)
 #endif
 
+// Distances less than this apart leave it to the order of the faces who is first.
+#ifdef HAVS_ORDER_BELIEVED
+const float kSamePlace = kStoredTolerance;
+#else
+const float kSamePlace = 0.0;
+#endif
+
 void main() {
   Rgba color;
   PixelState state;
@@ -43,7 +50,7 @@ void main() {
   uvec2 layers = layersOfPixel();
   float reached = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;
   Fragment front;
-  insertFragment(kbuffer, incoming, front);
+  insertFragment(kbuffer, incoming, kSamePlace, front);
   Segment segment = leaveBefore(state, front, kbuffer);
   segment.visible = segment.visible && !done;
   float next = state.started > 0.5 ? kbuffer.entry[0].distance : kEmptyDistance;

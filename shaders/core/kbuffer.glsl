@@ -61,15 +61,22 @@ FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {
   return isLateBy(kbuffer, state, f, Real(kLateTolerance));
 }
 
-// Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first.
-FUNCTION void insertFragment(INOUT(KBuffer) kbuffer, Fragment f, OUT(Fragment) front) {
-  Mask nearer = f.distance < kbuffer.entry[0].distance;
-  front = selectFragment(nearer, f, kbuffer.entry[0]);
-  Fragment carried = selectFragment(nearer, kbuffer.entry[0], f);
+FUNCTION Real farther(Real a, Real b) { return select(a < b, b, a); }
+
+// Inserts `f`; `front` leaves. Of equal distances the earlier comer leaves first. Of distances less than `same` apart,
+// too: where the order in which fragments come can be believed, it knows more than distances that differ by their
+// rounding. `f` then lies where the one before it does.
+FUNCTION void insertFragment(INOUT(KBuffer) kbuffer, Fragment f, Real same, OUT(Fragment) front) {
+  Mask placed = f.distance < kbuffer.entry[0].distance - same;
+  front = selectFragment(placed, f, kbuffer.entry[0]);
+  Fragment carried = selectFragment(placed, kbuffer.entry[0], f);
+  carried.distance = farther(carried.distance, kbuffer.entry[0].distance);
   for (int i = 1; i < HAVS_K; ++i) {
-    Mask swapped = carried.distance < kbuffer.entry[i].distance;
-    kbuffer.entry[i - 1] = selectFragment(swapped, carried, kbuffer.entry[i]);
-    carried = selectFragment(swapped, kbuffer.entry[i], carried);
+    placed = placed || (f.distance < kbuffer.entry[i].distance - same);
+    Fragment entry = kbuffer.entry[i];
+    kbuffer.entry[i - 1] = selectFragment(placed, carried, entry);
+    carried = selectFragment(placed, entry, carried);
+    carried.distance = farther(carried.distance, entry.distance);
   }
   kbuffer.entry[HAVS_K - 1] = carried;
 }

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "mesh/cell_quality.h"
+#include "mesh/overlaps.h"
 #include "mesh/shared_corners.h"
 #include "mesh/weld.h"
 
@@ -78,7 +79,7 @@ namespace {
 
 /// What inspectMesh looks for, in the order of its rows.
 struct Findings {
-  Tally inverted, flat, duplicate, overfull, unreferenced, nonFinitePoints, nonFiniteScalars;
+  Tally inverted, flat, duplicate, overfull, overlapping, unreferenced, nonFinitePoints, nonFiniteScalars;
 };
 
 std::vector<Defect> rowsOf(const Findings& findings) {
@@ -90,6 +91,8 @@ std::vector<Defect> rowsOf(const Findings& findings) {
   add("flat_cells", findings.flat, "left out");
   add("duplicate_cells", findings.duplicate, "left out, the first stays");
   add("overfull_faces", findings.overfull, "kept: their cells are joined in pairs in the order of their numbers");
+  add("overlapping_cells", findings.overlapping,
+      "kept: rays see each place once, but of several cells there none is the right one");
   add("unreferenced_points", findings.unreferenced, "left out");
   add("non_finite_points", findings.nonFinitePoints, "left out with the cells that use them");
   add("non_finite_scalars", findings.nonFiniteScalars, "kept: the cells they touch are holes when that field is drawn");
@@ -110,6 +113,8 @@ std::vector<Defect> inspectMesh(const TetMesh& mesh) {
     const OverfullFaces overfull = overfullFaces(mesh);
     found.overfull = {overfull.count, overfull.firstCell};
   }
+  const OverlappingCells overlapping = overlappingCells(mesh);
+  found.overlapping = {overlapping.count, overlapping.first};
   const std::vector<char> used = usedPoints(mesh);
   found.unreferenced = tally(used.size(), [&](std::size_t i) { return !used[i]; });
   found.nonFinitePoints = tally(mesh.points.size(), [&](std::size_t i) { return !isFinite(mesh.points[i]); });

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/memory_budget.h"
 #include "core/parallel.h"
+#include "mesh/overlaps.h"
 #include "mesh/read.h"
 #include "mesh/spatial_order.h"
 #include "scene/clip_scene.h"
@@ -100,6 +101,7 @@ bool prepareSound(PreparedScene& prepared, const Scene& scene, TetMesh& mesh, St
   if (!faces.plain) return false;
   const bool holes = stages.time("prepare", [&] {
     prepared.defects = inspectFields(mesh);
+    enterOverlaps(prepared.defects, overlappingCells(ordered, faces, numbers->cells));
     noteRepairs(prepared);
     ScalarField field = renumberedField(selectField(mesh, scene.field), *numbers);
     mesh = {};

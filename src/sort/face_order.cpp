@@ -11,7 +11,7 @@ namespace {
 /// The table of orders. A new one is a row here and a file beside this one.
 const std::array<SortMethod, 4> kSortMethods{{
     {"topological", "depth-first order of the cells by which is in front of which; exact but for cycles and gaps",
-     makeTopologicalSorter, true},
+     makeTopologicalSorter, true, true},
     {"centroid", "the paper's: radix sort by the distance of the faces' centroids", makeCentroidSorter},
     {"exact", "comparison sort by the distance of the faces' centroids in double: the oracle of centroid",
      makeExactSorter},

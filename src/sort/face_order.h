@@ -67,6 +67,7 @@ struct SortMethod {
   std::string description;
   std::unique_ptr<FaceSorter> (*make)(const SortInput&);
   bool usesNeighbours = false;  ///< follows the cells from one to the next, so that a mesh with gaps is harder
+  bool isBelieved = false;      ///< tells which of two faces of a cell is in front, where distances are too rounded to
 };
 /// centroid, topological, exact (the comparison sort, the tests' oracle), none (the file's order).
 std::span<const SortMethod> sortMethods();

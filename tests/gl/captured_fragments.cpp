@@ -64,7 +64,7 @@ std::vector<std::uint32_t> drawInto(const Buffer& list, int capacity, const Mesh
 
 /// Whether the shader would count the fragment as late; it goes into the buffer otherwise.
 template <int K>
-std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments, float tolerance) {
+std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments, float tolerance, float same) {
   using A = Arithmetic<FloatLane, K>;
   typename A::KBuffer buffer;
   for (auto& entry : buffer.entry) entry = A::emptyFragment();
@@ -77,13 +77,13 @@ std::uint32_t countLateOf(const std::vector<CapturedFragment>& fragments, float 
       continue;
     }
     typename A::Fragment front;
-    A::insertFragment(buffer, fragment, front);
+    A::insertFragment(buffer, fragment, same, front);
     A::leaveBefore(state, front, buffer);
   }
   return late;
 }
 
-using CountLate = std::uint32_t (*)(const std::vector<CapturedFragment>&, float);
+using CountLate = std::uint32_t (*)(const std::vector<CapturedFragment>&, float, float);
 template <int... Before>
 constexpr std::array<CountLate, sizeof...(Before)> countTable(std::integer_sequence<int, Before...>) {
   return {countLateOf<Before + 1>...};
@@ -120,8 +120,10 @@ CapturedPicture captureFragments(const PreparedScene& prepared, const View& view
   return picture;
 }
 
-std::uint32_t countLate(const std::vector<CapturedFragment>& fragments, int k, float tolerance) {
-  return kCountLate.at(static_cast<std::size_t>(k - 1))(fragments, tolerance);
+std::uint32_t countLate(const std::vector<CapturedFragment>& fragments, const std::string& sort, int k,
+                        float tolerance) {
+  return kCountLate.at(static_cast<std::size_t>(k - 1))(fragments, tolerance,
+                                                        sortMethod(sort).isBelieved ? tolerance : 0);
 }
 
 std::vector<CapturedFragment> inHalves(std::vector<CapturedFragment> fragments) {

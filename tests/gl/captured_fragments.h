@@ -22,8 +22,10 @@ using CapturedPicture = std::vector<std::vector<CapturedFragment>>;
 /// to its pixel's list in a storage buffer.
 CapturedPicture captureFragments(const PreparedScene& prepared, const View& view, const std::string& sort);
 
-/// The late fragments of one pixel for k from 1 to 14, by the shader's own arithmetic in float.
-std::uint32_t countLate(const std::vector<CapturedFragment>& fragments, int k, float tolerance = 1e-6f);
+/// The late fragments of one pixel for k from 1 to 14, by the shader's own arithmetic in float; captured in the
+/// named order.
+std::uint32_t countLate(const std::vector<CapturedFragment>& fragments, const std::string& sort, int k,
+                        float tolerance = 1e-6f);
 
 /// With distances rounded to the nearest half float.
 std::vector<CapturedFragment> inHalves(std::vector<CapturedFragment> fragments);

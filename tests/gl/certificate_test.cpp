@@ -66,9 +66,9 @@ havs::Drawing drawPrepared(const Device& device, const Scene& scene, const Prepa
   return makeRenderer(prepared.scene, chosen, stages)->draw(prepared.view, stages);
 }
 
-std::vector<std::uint32_t> replayed(const CapturedPicture& picture, int k) {
+std::vector<std::uint32_t> replayed(const CapturedPicture& picture, const std::string& sort, int k) {
   std::vector<std::uint32_t> counts;
-  for (const auto& fragments : picture) counts.push_back(countLate(fragments, k));
+  for (const auto& fragments : picture) counts.push_back(countLate(fragments, sort, k));
   return counts;
 }
 
@@ -79,8 +79,8 @@ std::size_t fragmentsOf(const CapturedPicture& picture) {
 }
 
 /// The counts of `certificate` are those of the replay in every pixel, and its sums are theirs.
-void expectReplayed(const Certificate& certificate, const CapturedPicture& picture, int k) {
-  const auto expected = replayed(picture, k);
+void expectReplayed(const Certificate& certificate, const CapturedPicture& picture, const std::string& sort, int k) {
+  const auto expected = replayed(picture, sort, k);
   EXPECT_EQ(certificate.count, expected);
   EXPECT_EQ(certificate.misordered, std::accumulate(expected.begin(), expected.end(), std::size_t{0}));
   EXPECT_EQ(certificate.pixels,
@@ -100,7 +100,7 @@ TEST_P(OrderCertificate, CountsWhatAReplayOfItsFragmentsCounts) {
       for (int k : kSizes) {
         SCOPED_TRACE(c.name + ", " + sort + ", k " + std::to_string(k));
         scene.k = k;
-        expectReplayed(*drawPrepared(*device_, scene, prepared).certificate, picture, k);
+        expectReplayed(*drawPrepared(*device_, scene, prepared).certificate, picture, sort, k);
       }
     }
   }
@@ -134,7 +134,7 @@ TEST_P(OrderCertificate, FacesThatCoverWholeTiles) {
   for (int k : kSizes) {
     SCOPED_TRACE(k);
     scene.k = k;
-    expectReplayed(*drawPrepared(*device_, scene, prepared).certificate, picture, k);
+    expectReplayed(*drawPrepared(*device_, scene, prepared).certificate, picture, scene.sort, k);
   }
   scene.k = 1;
   EXPECT_GT(drawPrepared(*device_, scene, prepared).certificate->pixels, 256u * 256 / 2);
@@ -150,7 +150,7 @@ TEST_P(OrderCertificate, CellData) {
   scene.k = 2;
   const Prepared prepared = prepare(scene, std::move(mesh));
   expectReplayed(*drawPrepared(*device_, scene, prepared).certificate,
-                 captureFragments(prepared.scene, prepared.view, scene.sort), scene.k);
+                 captureFragments(prepared.scene, prepared.view, scene.sort), scene.sort, scene.k);
 }
 
 TEST_P(OrderCertificate, CompositedLateFragmentsAreCountedAsDroppedOnes) {
@@ -250,7 +250,8 @@ TEST_P(OrderCertificate, NeverGrowsWithK) {
       const CapturedPicture picture = captureFragments(prepared.scene, prepared.view, sort);
       for (const auto& fragments : picture)
         for (int k = 1; k < 14; ++k)
-          ASSERT_GE(countLate(fragments, k), countLate(fragments, k + 1)) << c.name << ", " << sort << ", k " << k;
+          ASSERT_GE(countLate(fragments, sort, k), countLate(fragments, sort, k + 1))
+              << c.name << ", " << sort << ", k " << k;
     }
   }
 }
@@ -382,7 +383,7 @@ TEST(OrderCertificateOnOneDevice, BluntFin) {
       SCOPED_TRACE(std::string(sort) + ", k " + std::to_string(k));
       scene.k = k;
       const Certificate certificate = *drawPrepared(*device, scene, prepared).certificate;
-      expectReplayed(certificate, picture, k);
+      expectReplayed(certificate, picture, sort, k);
       if (std::string(sort) == "centroid") {
         EXPECT_GT(certificate.misordered, 1000u);
       }

@@ -125,8 +125,8 @@ TEST_P(TargetFormats, CertificateCountsLateFragmentsOfTheRoundedDistances) {
         const CapturedPicture picture = captureFragments(drawing.prepared, drawing.view, sort);
         std::vector<std::uint32_t> expected;
         for (const auto& fragments : picture)
-          expected.push_back(
-              countLate(format.halfFloats ? inHalves(fragments) : fragments, k, format.halfFloats ? 1e-3f : 1e-6f));
+          expected.push_back(countLate(format.halfFloats ? inHalves(fragments) : fragments, sort, k,
+                                       format.halfFloats ? 1e-3f : 1e-6f));
         EXPECT_EQ(drawing.certificate->count, expected) << sort << ", " << format.name << ", k " << k;
         if (k <= 2) {
           EXPECT_GT(drawing.certificate->misordered, 0u);

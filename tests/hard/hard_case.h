@@ -62,8 +62,11 @@ struct HardBounds {
   double native = 1e-5;  ///< maximum: some tens of segments, each off by some 2^-24 of numbers of order 1
   double p999 = 2e-5;    ///< OpenGL: as the project promises (tests/image/accuracy_test.cpp)
   double traced = 2e-4;  ///< OpenGL: pixels beyond it must be the rasteriser's grid or float on faces seen edge on
-  bool trace = true;     ///< false where PixelTracer cannot trace (eye in the mesh, light)
-  std::size_t late = 0;  ///< pixels with late fragments: of k 6, topological
+  /// Of the ways that know distances only (centroid order, a-buffer), their maximum in place of the three above: where
+  /// faces lie nearer to each other than floats tell and the scalar jumps between them, either may come first.
+  std::optional<double> byDistance;
+  bool trace = true;                            ///< false where PixelTracer cannot trace (eye in the mesh, light)
+  std::size_t late = 0;                         ///< pixels with late fragments: of k 6, topological
   std::size_t lateElsewhere = ~std::size_t{0};  ///< of the other k-buffers
 };
 

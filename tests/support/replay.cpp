@@ -39,7 +39,7 @@ class PixelReplay {
       return;
     }
     typename A::Fragment front;
-    A::insertFragment(buffer_, fragment, front);
+    A::insertFragment(buffer_, fragment, 0, front);  // distances are exact
     leave(front);
   }
 

@@ -81,6 +81,7 @@ void planKBuffer(RenderPlan& plan, const Scene& scene, const SceneFacts& facts, 
   plan.defines.push_back({"HAVS_K", std::to_string(plan.k)});
   plan.defines.push_back({"HAVS_ENTRY_TARGETS", std::to_string(plan.entryTargets)});
   if (scene.earlyTermination > 0) plan.defines.push_back({"HAVS_EARLY_TERMINATION", "1"});
+  if (sortMethod(plan.sort).isBelieved) plan.defines.push_back({"HAVS_ORDER_BELIEVED", "1"});
   if (scene.compositeLate) plan.defines.push_back({"HAVS_COMPOSITE_LATE", "1"});
   if (plan.marksDonePixels) plan.defines.push_back({"HAVS_MARKS_DONE", "1"});
   if (scene.certificate) plan.defines.push_back({"HAVS_CERTIFICATE", "1"});

@@ -18,6 +18,7 @@
 #include "render/native/tile_light_data.h"
 #include "render/native/tile_worker.h"
 #include "render/scene_sorter.h"
+#include "sort/face_order.h"
 
 namespace havs {
 namespace {
@@ -136,6 +137,7 @@ class NativeRenderer final : public Renderer {
     setting_.attributes = numbersOf(plan_.lookup.carries);
     setting_.certificate = plan_.certificate;
     setting_.compositeLate = plan_.compositeLate;
+    setting_.orderIsBelieved = sortMethod(plan_.sort).isBelieved;
     if (plan_.earlyTermination > 0) setting_.terminalOpacity = static_cast<float>(plan_.earlyTermination);
   }
 

@@ -68,7 +68,7 @@ class EntriesOfPixels {
     const typename A::KBuffer before = kbuffer;
     const typename A::PixelState pixelBefore = pixel;
     typename A::Fragment front;
-    A::insertFragment(kbuffer, incoming, front);
+    A::insertFragment(kbuffer, incoming, Real(tile.sameDistance), front);
     done.segment = A::leaveBefore(pixel, front, kbuffer);
     storePixel({Lanes::select(mask, pixel.inside, pixelBefore.inside),
                 Lanes::select(mask, pixel.started, pixelBefore.started)});
@@ -113,8 +113,7 @@ class EntriesOfPixels {
 
 /// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, or leaves a part of
 /// the mesh where another has been entered, and its pixel flagged; in all others every k gives the same segments, to
-/// the last bit. With cell data the order is believed where distances differ by their rounding only
-/// (TileDraw::sameDistance).
+/// the last bit.
 template <class Lanes, template <class> class PayloadOf>
 class LastOfPixels {
  public:

@@ -66,8 +66,8 @@ struct TileDraw {
 
   std::size_t activePixels;  ///< the drawing ends when none is left
   bool compositeLate;
-  /// By how much a fragment may be nearer than the one before it, for the order to be believed and not the distances:
-  /// with cell data, as of several fragments in one place the last says what lies behind it; else 0.
+  /// By how much a fragment may be nearer than the one before it, for the order to be believed and not the distances
+  /// (SortMethod::isBelieved): of several fragments in one place the last says what lies behind it.
   float sameDistance;
   bool flushAlways;  ///< after every stamp's segments, so that pixels are done exactly when their opacity says so
   std::uint64_t fragments;

@@ -124,7 +124,7 @@ TileWorker::TileWorker(const RasterMesh& mesh, const View& view, const TileGrid&
   tile_.rgba = rgba_.data();
   tile_.late = setting.certificate ? late_.data() : nullptr;
   tile_.compositeLate = setting.compositeLate;
-  tile_.sameDistance = mesh.cellData ? Arithmetic<FloatLane>::kLateTolerance : 0;
+  tile_.sameDistance = setting.orderIsBelieved ? Arithmetic<FloatLane>::kLateTolerance : 0;
   tile_.flushAlways = setting.certificate && setting.terminalOpacity <= 1;
   tile_.queue = queue_.get();
   tile_.flush = setting.adds ? addQueue : setting.layers != nullptr ? flushAmongLayers : flushQueue;

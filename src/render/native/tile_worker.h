@@ -19,6 +19,7 @@ struct TileSetting {
   int attributes = 1;  ///< numbers that a fragment carries
   bool certificate = false;
   bool compositeLate = false;
+  bool orderIsBelieved = false;  ///< SortMethod::isBelieved
   float terminalOpacity = 2;
   const SegmentShader* shader = nullptr;
   const RayLayers* layers = nullptr;       ///< null: none
