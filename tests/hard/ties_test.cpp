@@ -39,7 +39,7 @@ std::vector<std::array<double, 3>> segmentsOf(const std::vector<Given>& fragment
     typename A::Fragment front;
     A::insertFragment(
         buffer, A::makeFragment(static_cast<Real>(f.scalar), static_cast<Real>(f.distance), static_cast<Real>(f.kind)),
-        front);
+        Real(0), front);
     leave(front);
   }
   for (int i = 0; i + 1 < K; ++i) leave(A::takeNearest(buffer));
