@@ -9,8 +9,8 @@ namespace havs {
 
 /// One kind of defect, as counted and as repaired.
 struct Defect {
-  std::string name;  ///< snake_case: inverted_cells, flat_cells, duplicate_cells, overfull_faces, unreferenced_points,
-                     ///< non_finite_points, non_finite_scalars
+  std::string name;  ///< snake_case: inverted_cells, flat_cells, duplicate_cells, overfull_faces, overlapping_cells,
+                     ///< unreferenced_points, non_finite_points, non_finite_scalars
   std::size_t count = 0;  ///< how many
   std::size_t first = 0;  ///< number (from 0) of the first cell concerned; of the first point for the kinds of points,
                           ///< and for non_finite_scalars unless only cell values are; meaningless when count is 0
