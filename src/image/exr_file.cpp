@@ -114,6 +114,27 @@ int channelNamed(const EXRHeader& header, const char* name) {
   return -1;
 }
 
+bool isWhole(const EXRHeader& header, int channel) {
+  return header.channels[channel].pixel_type == TINYEXR_PIXELTYPE_UINT;
+}
+
+/// Whole numbers (an object's number, say) come as such or not at all: tinyexr aborts when they are asked for as
+/// floats.
+int typeToAskFor(const EXRHeader& header, int channel) {
+  return isWhole(header, channel) ? TINYEXR_PIXELTYPE_UINT : TINYEXR_PIXELTYPE_FLOAT;
+}
+
+/// Red, green and blue are there, and with opacity, where it is, in floats.
+void checkChannels(const EXRHeader& header, const fs::path& file) {
+  for (const char* name : kNames) {
+    const int channel = channelNamed(header, name);
+    const bool optional = name == kNames[0];
+    if (channel < 0 && !optional) failInput(std::string("no channel ") + name, file.string());
+    if (channel >= 0 && isWhole(header, channel))
+      failInput(std::string("the channel ") + name + " holds whole numbers", file.string(), "write half or float");
+  }
+}
+
 }  // namespace
 
 StoredImage readExr(const fs::path& file) {
@@ -128,13 +149,12 @@ StoredImage readExr(const fs::path& file) {
   const char* error = nullptr;
   if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &error) != TINYEXR_SUCCESS)
     failInput("broken OpenEXR header: " + messageOf(error), file.string());
-  for (const char* color : {"B", "G", "R"})
-    if (channelNamed(header, color) < 0) failInput(std::string("no channel ") + color, file.string());
+  checkChannels(header, file);
   constexpr double kMostThatZipShrinks = 1100;  // deflate packs 1032 bytes into one at best
   const std::int64_t width = std::int64_t{header.data_window.max_x} - header.data_window.min_x + 1;
   const std::int64_t height = std::int64_t{header.data_window.max_y} - header.data_window.min_y + 1;
   Image image = emptyImage(width, height, bytes.size(), 2.0 * header.num_channels, kMostThatZipShrinks, file);
-  for (int c = 0; c < header.num_channels; ++c) header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
+  for (int c = 0; c < header.num_channels; ++c) header.requested_pixel_types[c] = typeToAskFor(header, c);
   LoadedImage loaded(header);
   loaded.whole = LoadEXRImageFromMemory(&loaded.image, &header, bytes.data(), bytes.size(), &error) == TINYEXR_SUCCESS;
   if (!loaded.whole) failInput("broken OpenEXR pixels: " + messageOf(error), file.string(), "is it cut off?");

@@ -16,6 +16,11 @@ namespace {
 constexpr double kHighestOpacity = 1 - 0x1p-24;
 constexpr double kHighestDepth = 24 * std::numbers::ln2;  // -ln(1 - kHighestOpacity)
 
+/// More is noise: every point of TF.bin takes 4 on average then. 65,536 of full swings would become 21 million.
+constexpr std::size_t kMostKnots = std::size_t{1} << 18;
+/// All are looked through for every segment.
+constexpr std::size_t kMostOpaque = 256;
+
 using Points = std::vector<ControlPoint>;  // scalar is s here
 
 ControlPoint between(const ControlPoint& a, const ControlPoint& b, double share) {
@@ -95,6 +100,9 @@ Points resampled(const Points& points, double tolerance) {
   for (const ControlPoint& p : points) {
     if (!out.empty() && p.scalar > out.back().scalar) resample(ControlPoint(out.back()), p, tolerance, out);
     out.push_back(p);
+    if (out.size() > kMostKnots)
+      failInput(fmt::format("opacity rises and falls so often that {} pieces do not draw it", kMostKnots),
+                "transfer function", "smooth it, or give \"opacity\": \"extinction\"");
   }
   return out;
 }
@@ -131,6 +139,9 @@ ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& 
   Points points = pointsOverDomain(function, curve.domain);
   if (function.meaning == OpacityMeaning::perUnit) {
     curve.opaque = opaqueIntervals(points);
+    if (curve.opaque.size() > kMostOpaque)
+      failInput(fmt::format("opacity reaches 1 at {} places, each an opaque surface", curve.opaque.size()),
+                "transfer function", fmt::format("{} are the most", kMostOpaque));
     points = resampled(points, setting.tolerance);
   }
   const double localPerUnit = setting.radius / curve.unitLength;

@@ -38,7 +38,8 @@ struct CurveSetting {
 };
 
 /// Resamples to piecewise-linear kappa. Under perUnit opacity is capped at 1 - 2^-24 outside `opaque`. Throws
-/// Error{input} (empty domain by request, unit length not positive).
+/// Error{input}: empty domain by request, unit length not positive, opaque at more than 256 places, more than 2^18
+/// knots.
 ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& setting);
 
 /// The curve with its opaque intervals bridged by a straight line between what lies on either side: what segments that
