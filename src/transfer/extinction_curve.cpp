@@ -39,7 +39,7 @@ Points pointsOverDomain(const TransferFunction& function, const std::array<doubl
   }
   for (ControlPoint p : function.points) {
     if (!(p.scalar > low && p.scalar <= high)) continue;
-    p.scalar = Shares(low, high, p.scalar).upper;
+    p.scalar = Shares::ofData(low, high, p.scalar).upper;
     points.push_back(p);
   }
   if (points.back().scalar < 1) points.push_back(endPoint(high, 1));
@@ -104,8 +104,7 @@ Points resampled(const Points& points, double tolerance) {
 double ExtinctionCurve::normalise(double value) const {
   const auto& [low, high] = domain;
   if (!(low < high)) return 0.5;
-  const double scale = std::isfinite(high - low) ? 1.0 : 0.5;  // data may span more than the largest double
-  return std::clamp(Shares(scale * low, scale * high, scale * value).upper, 0.0, 1.0);
+  return std::clamp(Shares::ofData(low, high, value).upper, 0.0, 1.0);
 }
 
 ExtinctionCurve::Knot ExtinctionCurve::at(double s) const {

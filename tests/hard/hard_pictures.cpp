@@ -42,14 +42,6 @@ Scene drawnIn(const HardWay& way, Scene scene) {
   return scene;
 }
 
-havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view) {
-  const Scene scene = drawnIn(way, asked);
-  StageTimes stages;
-  const bool native = way.device == kNativeDevice;
-  const Capabilities can = native ? openRenderDevice(kNativeDevice).capabilities : capabilitiesOf(osmesa());
-  return makeRenderer(prepared, plan(scene, prepared.facts(), can), stages)->draw(view, stages);
-}
-
 bool isLate(const havs::Drawing& drawing, std::size_t pixel) {
   return drawing.certificate && drawing.certificate->count[pixel] > 0;
 }
@@ -88,6 +80,14 @@ std::size_t untraced(const HardPicture& picture, const havs::Drawing& drawing, c
 }
 
 }  // namespace
+
+havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view) {
+  const Scene scene = drawnIn(way, asked);
+  StageTimes stages;
+  const bool native = way.device == kNativeDevice;
+  const Capabilities can = native ? openRenderDevice(kNativeDevice).capabilities : capabilitiesOf(osmesa());
+  return makeRenderer(prepared, plan(scene, prepared.facts(), can), stages)->draw(view, stages);
+}
 
 const std::vector<HardWay>& hardWays() {
   static const std::vector<HardWay> ways = [] {
@@ -130,16 +130,25 @@ std::string notAPicture(const Image& image) {
   return "";
 }
 
-HardPicture HardPictureTest::expectEveryWay(const Scene& scene, const TetMesh& mesh, const HardBounds& bounds) {
+HardPicture::HardPicture(const Scene& asked, const TetMesh& mesh) : scene(asked) {
   StageTimes stages;
-  HardPicture picture{scene, prepareScene(scene, mesh, stages), {}, {}, {}};
-  picture.view = makeView(scene.camera, picture.prepared.frame, scene.width, scene.height);
-  picture.truth = makeReference(scene, picture.prepared)->draw(picture.view, stages).image;
+  prepared = prepareScene(scene, mesh, stages);
+  view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+  truth = makeReference(scene, prepared)->draw(view, stages).image;
+}
+
+HardPicture HardPictureTest::expectEveryWay(const Scene& scene, const TetMesh& mesh, const HardBounds& bounds) {
+  HardPicture picture(scene, mesh);
+  expectWays(picture, hardWays(), bounds);
+  return picture;
+}
+
+void HardPictureTest::expectWays(HardPicture& picture, const std::vector<HardWay>& ways, const HardBounds& bounds) {
   EXPECT_EQ(notAPicture(picture.truth), "") << "the reference";
   const auto mask = boundaryEdgeMask(picture.prepared.points, picture.prepared.faces, picture.view);
-  for (const HardWay& way : hardWays()) {
+  for (const HardWay& way : ways) {
     SCOPED_TRACE(way.name);
-    picture.drawings.push_back({way, drawIn(way, scene, picture.prepared, picture.view)});
+    picture.drawings.push_back({way, drawIn(way, picture.scene, picture.prepared, picture.view)});
     const havs::Drawing& drawing = picture.drawings.back().drawing;
     EXPECT_EQ(notAPicture(drawing.image), "");
     const bool native = way.device == kNativeDevice;
@@ -165,7 +174,6 @@ HardPicture HardPictureTest::expectEveryWay(const Scene& scene, const TetMesh& m
       expectAtMost("late pixels, " + way.name, static_cast<double>(drawing.certificate->pixels),
                    static_cast<double>(limit));
   }
-  return picture;
 }
 
 void HardPictureTest::expectRefused(const Scene& scene, const TetMesh& mesh, const std::string& says) {
