@@ -217,23 +217,57 @@ TEST_F(DataRanges, OneOutlierOutsideTheDomain) {
   expectEveryMode(scene, with(1e30), 0.7);
 }
 
-TEST_F(DataRanges, IntegersUnderSteps) {
-  tell({"Data",
-        "labels of whole numbers under a function of steps at just these: which side of a step holds hangs on a "
-        "rounding",
-        "steps between labels are exact; at a label the upper side holds, in the reference and on every device"});
-  const TetMesh mesh = steppedBox(4, [](double i) { return i; });
-  Scene scene = hardScene();
+/// Colours and extinctions of labels 0 to `most`, each from its own value to the next: steps at the labels themselves.
+Scene labelScene(int most, double shift) {
   std::vector<std::array<double, 5>> steps;
-  for (int i = 0; i < 4; ++i) {  // a colour a label, changing midway
-    const double color = 0.2 * i;
-    if (i > 0) steps.push_back({(i - 0.5) / 4, color, 1 - color, 0.5, 0.4 + i});
-    steps.push_back({(i + 0.5) / 4, color, 1 - color, 0.5, 0.4 + i});
+  for (int i = 0; i <= most; ++i) {
+    const double color = static_cast<double>(i % 5) / 4, extinction = 0.3 + i % 3;
+    if (i > 0) steps.push_back({i - shift, color, 1 - color, 0.5, extinction});
+    if (i < most) steps.push_back({i + 1 - shift, color, 1 - color, 0.5, extinction});
   }
-  steps.push_back({3.5 / 4, 1, 0, 0, 0.3});
-  scene.transferFunction = transferFile(transferOf(steps, "extinction", 1, {}));
-  expectEveryWay(scene, mesh);
-  expectEveryMode(scene, mesh, 2);
+  Scene scene = hardScene();
+  std::string json = transferOf(steps, "extinction", 1, {});
+  json.insert(1, R"("scale": "data", )");
+  scene.transferFunction = transferFile(json);
+  return scene;
+}
+
+TEST_F(DataRanges, LabelsUnderStepsBetweenThem) {
+  tell({"Data", "whole numbers under a function that jumps midway between them, many times within a cell",
+        "segments are cut at every step; each side keeps its colour"});
+  const TetMesh mesh = steppedBox(10, [](double i) { return i; });
+  expectEveryWay(labelScene(10, 0.5), mesh);
+  expectEveryMode(labelScene(10, 0.5), mesh, 2);
+}
+
+TEST_F(DataRanges, LabelsOfCellsUnderStepsAtThem) {
+  tell({"Data",
+        "the natural function of labels jumps at each label; here 0.7, rounded to float, lay below a step at 0.7, and "
+        "the "
+        "highest label below its own at 1: whole cells had the wrong colour, 0.6 off",
+        "steps go 2^-21 lower than asked for, in the reference too: a label is on the upper side, whatever float makes "
+        "of it"});
+  TetMesh mesh = box(kCells, Cut::five, 0.2);
+  Field field{"label", 1, {}};
+  for (std::size_t c = 0; c < mesh.tetrahedra.size(); ++c) field.values.push_back(static_cast<double>(c * 7 % 11));
+  mesh.cellFields = {field};
+  const HardPicture picture = expectEveryWay(labelScene(10, 0), mesh);
+  expectSame("truth against steps midway", picture.truth, HardPicture(labelScene(10, 0.5), mesh).truth, 1e-7);
+  expectEveryMode(labelScene(10, 0), mesh, {});
+}
+
+TEST_F(DataRanges, LabelsOfPointsUnderStepsAtThem) {
+  tell({"Data",
+        "blocks of one label at the points: OpenGL interpolates a constant to within a rounding, on either side of the "
+        "step",
+        "steps lie lower by several roundings, so that a block has one colour"});
+  // Blocks of one label, between them cells that go from one to the next.
+  TetMesh mesh = box(2 * kCells);
+  mesh.pointFields = {Field{"label", 1, pointValues(mesh.points, [](const Vec3& p) {
+                              return std::clamp(std::floor(5.5 + 5.5 * p.x), 0.0, 10.0);
+                            })}};
+  expectEveryWay(labelScene(10, 0), mesh);
+  expectEveryMode(labelScene(10, 0), mesh, 2);
 }
 
 TEST_F(DataRanges, DomainOfOneValueByRequest) {

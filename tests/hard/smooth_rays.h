@@ -111,15 +111,21 @@ inline RayColor smoothVolume(const BodyRay& ray) {
 struct Norms {
   double mean = 0, rms = 0, most = 0;
 };
+inline std::vector<RayColor> pixelsOf(const Image& image) {
+  std::vector<RayColor> pixels(image.rgba.size() / 4);
+  for (std::size_t c = 0; c < image.rgba.size(); ++c) pixels[c / 4][c % 4] = double{image.rgba[c]};
+  return pixels;
+}
+
 /// Of the errors of all channels of the pixels that `mask` leaves.
-inline Norms normsOf(const Image& image, const std::vector<RayColor>& truth,
+inline Norms normsOf(const std::vector<RayColor>& picture, const std::vector<RayColor>& truth,
                      const std::vector<unsigned char>& mask = {}) {
   Norms norms;
   double count = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
     for (std::size_t c = 0; c < 4; ++c) {
       if (!mask.empty() && mask[i] != 0) continue;
-      const double error = std::abs(double{image.rgba[4 * i + c]} - truth[i][c]);
+      const double error = std::abs(picture[i][c] - truth[i][c]);
       norms.mean += error;
       norms.rms += error * error;
       norms.most = std::max(norms.most, error);
@@ -128,6 +134,10 @@ inline Norms normsOf(const Image& image, const std::vector<RayColor>& truth,
   norms.mean /= count;
   norms.rms = std::sqrt(norms.rms / count);
   return norms;
+}
+inline Norms normsOf(const Image& picture, const std::vector<RayColor>& truth,
+                     const std::vector<unsigned char>& mask = {}) {
+  return normsOf(pixelsOf(picture), truth, mask);
 }
 
 }  // namespace havs::test
