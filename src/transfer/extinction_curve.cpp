@@ -28,6 +28,18 @@ ControlPoint between(const ControlPoint& a, const ControlPoint& b, double share)
   return {shares.mix(a.scalar, b.scalar), shares.mix(a.color, b.color), shares.mix(a.opacity, b.opacity)};
 }
 
+/// Steps go lower by what float may be off by in a scalar, also one interpolated over a face: some 2^-24 of itself. So
+/// data that have the very value of a step (labels) are on its upper side on every device, as in double.
+void lowerSteps(Points& points) {
+  constexpr double kMargin = 0x1p-21;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].scalar != points[i - 1].scalar || !(points[i].scalar > 0)) continue;
+    const double lowered = points[i].scalar * (1 - kMargin);
+    points[i].scalar = lowered;
+    for (std::size_t j = i; j > 0 && points[j - 1].scalar > lowered; --j) points[j - 1].scalar = lowered;
+  }
+}
+
 /// The function's points over s, cut to [0, 1] with points at both ends.
 Points pointsOverDomain(const TransferFunction& function, const std::array<double, 2>& domain) {
   const double low = function.normalised ? 0 : domain[0];
@@ -44,9 +56,10 @@ Points pointsOverDomain(const TransferFunction& function, const std::array<doubl
   }
   for (ControlPoint p : function.points) {
     if (!(p.scalar > low && p.scalar <= high)) continue;
-    p.scalar = Shares(low, high, p.scalar).upper;
+    p.scalar = Shares::ofData(low, high, p.scalar).upper;
     points.push_back(p);
   }
+  lowerSteps(points);
   if (points.back().scalar < 1) points.push_back(endPoint(high, 1));
   return points;
 }
@@ -112,7 +125,7 @@ Points resampled(const Points& points, double tolerance) {
 double ExtinctionCurve::normalise(double value) const {
   const auto& [low, high] = domain;
   if (!(low < high)) return 0.5;
-  return std::clamp(Shares(low, high, value).upper, 0.0, 1.0);
+  return std::clamp(Shares::ofData(low, high, value).upper, 0.0, 1.0);
 }
 
 ExtinctionCurve::Knot ExtinctionCurve::at(double s) const {

@@ -37,8 +37,8 @@ struct CurveSetting {
   double tolerance = 1e-4;      ///< of the resampled kappa, relative to itself (perUnit between control points)
 };
 
-/// Resamples to piecewise-linear kappa. Under perUnit opacity is capped at 1 - 2^-24 outside `opaque`. Throws
-/// Error{input}: empty domain by request, unit length not positive, opaque at more than 256 places, more than 2^18
+/// Piecewise-linear kappa; steps go 2^-21 of their s lower. Under perUnit opacity is at most 1 - 2^-24 outside `opaque`.
+/// Throws Error{input}: empty domain by request, unit length not positive, opaque at more than 256 places, more than 2^18
 /// knots.
 ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& setting);
 

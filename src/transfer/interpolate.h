@@ -8,11 +8,11 @@ namespace havs {
 struct Shares {
   double lower;
   double upper;
-  Shares(double a, double b, double x) {
-    const double part = std::isfinite(b - a) ? 1.0 : 0.5;  // data may span more than the largest double
-    const double span = part * b - part * a;
-    lower = (part * b - part * x) / span;
-    upper = (part * x - part * a) / span;
+  Shares(double a, double b, double x) : lower((b - x) / (b - a)), upper((x - a) / (b - a)) {}
+  /// The same of ends that may lie farther apart than the largest double, as data's may.
+  static Shares ofData(double a, double b, double x) {
+    const double scale = std::isfinite(b - a) ? 1.0 : 0.5;
+    return {scale * a, scale * b, scale * x};
   }
   double mix(double a, double b) const { return lower * a + upper * b; }
   std::array<double, 3> mix(const std::array<double, 3>& a, const std::array<double, 3>& b) const {

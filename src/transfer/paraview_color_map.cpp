@@ -85,7 +85,7 @@ ControlPoint besides(const Line& line, double scalar, bool above) {
   if (next == line.begin()) return line.front();
   const ControlPoint& last = *std::prev(next);
   if (next == line.end()) return last;
-  const Shares shares(last.scalar, next->scalar, scalar);
+  const Shares shares = Shares::ofData(last.scalar, next->scalar, scalar);
   return {scalar, shares.mix(last.color, next->color), shares.mix(last.opacity, next->opacity)};
 }
 
@@ -112,7 +112,7 @@ void normalise(Line& line, const std::string& file) {
   const double low = line.front().scalar;
   const double high = line.back().scalar;
   if (!(low < high)) failInput("all points of the colour map lie at one scalar", file);
-  for (ControlPoint& p : line) p.scalar = Shares(low, high, p.scalar).upper;
+  for (ControlPoint& p : line) p.scalar = Shares::ofData(low, high, p.scalar).upper;
 }
 
 TransferFunction transferFunction(ColorMap map, const std::string& file) {

@@ -13,7 +13,7 @@ ControlPoint evaluate(const TransferFunction& function, double scalar) {
   ControlPoint result = above == points.begin() ? points.front() : *std::prev(above);
   if (above != points.begin() && above != points.end()) {
     const ControlPoint& below = *std::prev(above);
-    const Shares shares(below.scalar, above->scalar, scalar);
+    const Shares shares = Shares::ofData(below.scalar, above->scalar, scalar);
     result.color = shares.mix(below.color, above->color);
     result.opacity = shares.mix(below.opacity, above->opacity);
   }

@@ -275,24 +275,6 @@ bool sameFragments(const std::vector<CapturedFragment>& drawn, const std::vector
                     [](const CapturedFragment& a, const ExactFragment& b) { return a.kind == b.kind; });
 }
 
-std::uint32_t countLateExactly(const std::vector<ExactFragment>& exact, int k) {
-  std::vector<double> farthest;  // the k farthest so far, near first
-  std::uint32_t late = 0;
-  std::size_t left = 0;
-  for (const ExactFragment& f : exact) {
-    const bool full = farthest.size() == static_cast<std::size_t>(k);
-    if (full && left > 0 && f.distance < farthest.front() - 1e-6) {
-      ++late;
-      continue;
-    }
-    farthest.insert(std::upper_bound(farthest.begin(), farthest.end(), f.distance), f.distance);
-    if (!full) continue;
-    farthest.erase(farthest.begin());
-    ++left;
-  }
-  return late;
-}
-
 /// Pixels of a picture drawn and of the same in exact arithmetic.
 struct Comparison {
   std::size_t seen = 0;            ///< with a fragment
@@ -321,7 +303,7 @@ Comparison compareWithExactArithmetic(const Scene& scene, const Prepared& prepar
       result.seen += !exact.empty();
       const bool same = sameFragments(picture[at], exact);
       result.otherFragments += !same;
-      if (!same || certificate.count[at] == countLateExactly(exact, scene.k)) continue;
+      if (!same || certificate.count[at] == countLateByDefinition(exact, scene.k)) continue;
       ++result.otherCounts;
       result.unexplained += !roundingDecides(picture[at], exact);
     }

@@ -79,13 +79,15 @@ struct HardDrawing {
 /// Scenes with lookup `exact` and a certificate, 64 x 64: what is left is the method's own error.
 Scene hardScene(int size = 64);
 
-/// A scene in memory, what it was made into, and its truth.
+/// A scene in memory, what it was made into, and its truth by the reference.
 struct HardPicture {
+  HardPicture(const Scene& scene, const TetMesh& mesh);
+
   Scene scene;
   PreparedScene prepared;
   View view;
   Image truth;
-  std::vector<HardDrawing> drawings;  ///< by hardWays()
+  std::vector<HardDrawing> drawings;  ///< so far
 
   /// One of them; by name.
   const havs::Drawing& by(const std::string& way) const;
@@ -97,6 +99,8 @@ class HardPictureTest : public HardTest {
   /// Draws in every way and by the reference. Expects of every picture, the truth's too: finite, channels in [0, 1],
   /// no colour above the opacity by more than rounding; and the bounds, as measures of the row.
   HardPicture expectEveryWay(const Scene& scene, const TetMesh& mesh, const HardBounds& bounds = {});
+  /// The same in some ways, of what has been made ready already.
+  void expectWays(HardPicture& picture, const std::vector<HardWay>& ways, const HardBounds& bounds = {});
   /// Expects that the scene is refused with Error{input} whose text holds `says`.
   void expectRefused(const Scene& scene, const TetMesh& mesh, const std::string& says);
   /// Expects that two pictures differ by at most `bound`, leaving out the pixels of `mask`.

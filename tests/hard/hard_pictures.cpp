@@ -133,16 +133,25 @@ std::string notAPicture(const Image& image) {
   return "";
 }
 
-HardPicture HardPictureTest::expectEveryWay(const Scene& scene, const TetMesh& mesh, const HardBounds& bounds) {
+HardPicture::HardPicture(const Scene& asked, const TetMesh& mesh) : scene(asked) {
   StageTimes stages;
-  HardPicture picture{scene, prepareScene(scene, mesh, stages), {}, {}, {}};
-  picture.view = makeView(scene.camera, picture.prepared.frame, scene.width, scene.height);
-  picture.truth = makeReference(scene, picture.prepared)->draw(picture.view, stages).image;
+  prepared = prepareScene(scene, mesh, stages);
+  view = makeView(scene.camera, prepared.frame, scene.width, scene.height);
+  truth = makeReference(scene, prepared)->draw(view, stages).image;
+}
+
+HardPicture HardPictureTest::expectEveryWay(const Scene& scene, const TetMesh& mesh, const HardBounds& bounds) {
+  HardPicture picture(scene, mesh);
+  expectWays(picture, hardWays(), bounds);
+  return picture;
+}
+
+void HardPictureTest::expectWays(HardPicture& picture, const std::vector<HardWay>& ways, const HardBounds& bounds) {
   EXPECT_EQ(notAPicture(picture.truth), "") << "the reference";
   const auto mask = boundaryEdgeMask(picture.prepared.points, picture.prepared.faces, picture.view);
-  for (const HardWay& way : hardWays()) {
+  for (const HardWay& way : ways) {
     SCOPED_TRACE(way.name);
-    picture.drawings.push_back({way, drawIn(way, scene, picture.prepared, picture.view)});
+    picture.drawings.push_back({way, drawIn(way, picture.scene, picture.prepared, picture.view)});
     const havs::Drawing& drawing = picture.drawings.back().drawing;
     EXPECT_EQ(notAPicture(drawing.image), "");
     const bool native = way.device == kNativeDevice;
@@ -170,7 +179,6 @@ HardPicture HardPictureTest::expectEveryWay(const Scene& scene, const TetMesh& m
       expectAtMost("late pixels, " + way.name, static_cast<double>(drawing.certificate->pixels),
                    static_cast<double>(limit));
   }
-  return picture;
 }
 
 void HardPictureTest::expectRefused(const Scene& scene, const TetMesh& mesh, const std::string& says) {

@@ -113,4 +113,23 @@ void FragmentSource::collectFace(Index face, std::size_t tile, std::vector<std::
     }
 }
 
+std::uint32_t countLateByDefinition(std::span<const ExactFragment> fragments, int k) {
+  constexpr double kLateTolerance = 1e-6;
+  std::vector<double> farthest;  // the k farthest so far, near first
+  std::uint32_t late = 0;
+  std::size_t left = 0;
+  for (const ExactFragment& f : fragments) {
+    const bool full = farthest.size() == static_cast<std::size_t>(k);
+    if (full && left > 0 && f.distance < farthest.front() - kLateTolerance) {
+      ++late;
+      continue;
+    }
+    farthest.insert(std::upper_bound(farthest.begin(), farthest.end(), f.distance), f.distance);
+    if (!full) continue;
+    farthest.erase(farthest.begin());
+    ++left;
+  }
+  return late;
+}
+
 }  // namespace havs::test

@@ -60,4 +60,8 @@ class FragmentSource {
   std::vector<Index> binned_;
 };
 
+/// The late fragments of a pixel by their definition (docs/02-method.md, The k-buffer), without a k-buffer: of those
+/// that have come the k farthest are kept; nearer than the nearest of these, once others have gone, is late.
+std::uint32_t countLateByDefinition(std::span<const ExactFragment> fragments, int k);
+
 }  // namespace havs::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 
@@ -78,8 +79,10 @@ TEST(ExtinctionCurve, OpaqueIntervalsAreClosedAndJoined) {
                                       {0.9, {}, 0.5},
                                       {0.9, {}, 1}}};
   const ExtinctionCurve curve = makeCurve(f, {});
-  EXPECT_THAT(curve.opaque, testing::ElementsAre(testing::ElementsAre(0.2, 0.4), testing::ElementsAre(0.7, 0.7),
-                                                 testing::ElementsAre(0.9, 1.0)));
+  const double lowered = 1 - 0x1p-21;  // of a step
+  EXPECT_THAT(curve.opaque,
+              testing::ElementsAre(testing::ElementsAre(0.2, 0.4), testing::ElementsAre(0.7 * lowered, 0.7 * lowered),
+                                   testing::ElementsAre(0.9 * lowered, 1.0)));
   EXPECT_DOUBLE_EQ(curve.maximumKappa, 24 * std::log(2.0) / 0.1);  // the cap 1 - 2^-24, unit length 2 / 20
 }
 
@@ -96,8 +99,8 @@ TEST(ExtinctionCurve, OpaqueIntervalsAreBridgedByWhatLiesBesideThem) {
   const ExtinctionCurve seen = withoutOpaque(curve);
   EXPECT_TRUE(seen.opaque.empty());
   const double perUnit = 1 / 0.1;  // unit length 2 / 20
-  EXPECT_NEAR(seen.at(0.3).kappa, -std::log(0.8) * perUnit, 1e-12);
-  EXPECT_NEAR(seen.at(0.5).kappa, -std::log(0.6) * perUnit, 1e-12);
+  EXPECT_NEAR(seen.at(curve.opaque[0][0]).kappa, -std::log(0.8) * perUnit, 1e-12);
+  EXPECT_NEAR(seen.at(curve.opaque[0][1]).kappa, -std::log(0.6) * perUnit, 1e-12);
   EXPECT_NEAR(seen.at(0.9).kappa, 0, 1e-12);
   for (double s : {0.0, 0.1, 0.2, 0.6, 0.7}) EXPECT_EQ(seen.at(s).kappa, curve.at(s).kappa) << s;
 }
@@ -114,7 +117,37 @@ TEST(ExtinctionCurve, StepsAreKept) {
   ASSERT_EQ(curve.knots.size(), 4u);
   EXPECT_EQ(curve.knots[1].s, curve.knots[2].s);
   EXPECT_EQ(curve.at(0.5).color[2], 1);  // the upper side
-  EXPECT_EQ(curve.at(std::nextafter(0.5, 0)).color[2], 0);
+  EXPECT_EQ(curve.at(0.5 * (1 - 0x1p-20)).color[2], 0);
+}
+
+// Labels of 0 to `most` at their own steps, as float rounds and interpolates them: the upper side.
+TEST(ExtinctionCurve, DataAtAStepAreOnItsUpperSideInFloat) {
+  for (const int most : {2, 3, 7, 10, 255, 1000}) {
+    TransferFunction f{.normalised = false};
+    for (int i = 1; i <= most; ++i)
+      for (const int side : {i - 1, i})
+        f.points.push_back({static_cast<double>(i), {static_cast<double>(side) / most, 0, 0}, 0.5});
+    const ExtinctionCurve curve = makeCurve(f, {.fieldRange = {0, static_cast<double>(most)}});
+    for (int i = 0; i <= most; ++i) {
+      const auto s = static_cast<float>(curve.normalise(i));
+      const float below = std::nextafter(std::nextafter(s, 0.0f), 0.0f);
+      for (const float rounded : {s, below})
+        EXPECT_DOUBLE_EQ(curve.at(static_cast<double>(rounded)).color[0], static_cast<double>(i) / most) << i;
+      if (i > 0) EXPECT_DOUBLE_EQ(curve.at(static_cast<double>(s) * (1 - 1e-6)).color[0], (i - 1.0) / most) << i;
+    }
+  }
+}
+
+TEST(ExtinctionCurve, DataScaleOverMoreThanTheLargestDouble) {
+  const double most = std::numeric_limits<double>::max();
+  const TransferFunction f{.points = {{-most, {0, 0, 0}, 0.1}, {0, {1, 0, 0}, 0.1}, {most, {1, 1, 1}, 0.1}},
+                           .normalised = false};
+  const ExtinctionCurve curve = makeCurve(f, {.fieldRange = {-most, most}});
+  ASSERT_EQ(curve.knots.front().s, 0);
+  ASSERT_EQ(curve.knots.back().s, 1);
+  EXPECT_DOUBLE_EQ(curve.at(curve.normalise(0)).color[0], 1);
+  EXPECT_DOUBLE_EQ(curve.at(curve.normalise(most / 2)).color[1], 0.5);
+  EXPECT_DOUBLE_EQ(evaluate(f, -most / 2).color[0], 0.5);
 }
 
 TEST(ExtinctionCurve, DataScaleIsCutToTheDomain) {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "support/slope.h"
 #include "unit/transfer/lookup_functions.h"
 
 namespace havs::test {
@@ -25,21 +26,6 @@ ExtinctionCurve smoothCurve(int knots = 4 * kGrid) {
                            4 + 3 * std::sin(8 * s + 0.5)});
   }
   return curve;
-}
-
-/// The slope of the line of least squares through (log x, log y).
-double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
-  double mx = 0, my = 0, xy = 0, xx = 0;
-  const double n = static_cast<double>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mx += std::log(x[i]) / n;
-    my += std::log(y[i]) / n;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xy += (std::log(x[i]) - mx) * (std::log(y[i]) - my);
-    xx += (std::log(x[i]) - mx) * (std::log(x[i]) - mx);
-  }
-  return xy / xx;
 }
 
 /// Root mean square, over both directions and all places, of the error of one segment of `steps` steps of the grid.
