@@ -3,7 +3,6 @@
 #include <fstream>
 
 #include "app/scene_file.h"
-#include "hard/random_meshes.h"
 #include "mesh/read.h"
 
 namespace havs::test {

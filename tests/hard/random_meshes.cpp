@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
-#include "mesh/weld.h"
 #include "support/meshes.h"
 
 namespace havs::test {
@@ -268,14 +266,9 @@ void addRandomField(Dice& dice, TetMesh& mesh) {
   if (dice.chance(0.1))
     for (std::size_t i = 1; i < values.size(); ++i)
       if (dice.chance(0.1)) values[i] = std::numeric_limits<double>::quiet_NaN();
-  (ofCells ? mesh.cellFields : mesh.pointFields) = {Field{ofCells ? "region" : "attribute0", 1, std::move(values)}};
-}
-
-void weld(TetMesh& mesh) {
-  const std::vector<Index> numbers = mergeIdenticalPoints(mesh.points, mesh.pointFields);
-  if (numbers.empty()) return;
-  for (Tetrahedron& cell : mesh.tetrahedra)
-    for (Index& corner : cell) corner = numbers[corner];
+  auto& fields = ofCells ? mesh.cellFields : mesh.pointFields;
+  fields.clear();
+  fields.push_back({ofCells ? "region" : "attribute0", 1, std::move(values)});
 }
 
 }  // namespace havs::test

@@ -17,7 +17,4 @@ TetMesh randomOverlappingMesh(Dice& dice);
 /// with values that are not numbers.
 void addRandomField(Dice& dice, TetMesh& mesh);
 
-/// Merges identical points as reading a file does (mesh/weld.h).
-void weld(TetMesh& mesh);
-
 }  // namespace havs::test

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "core/parallel.h"
 #include "hard/random_scenes.h"
 #include "hard/random_shrink.h"
 
@@ -38,12 +39,13 @@ void print(const std::string& text) {
 
 /// Shrinks a case, and says where it is.
 void report(const RandomRun& run, const FoundFailure& found, const RandomCase& c, const HardWay* way) {
+  const std::filesystem::path folder =
+      std::filesystem::path(HAVS_BUILD) / "random-failures" / fmt::format("{}-{}", run.seed, found.number);
+  writeCase(c, folder / "as-found");
   CaseChecker others;
   const std::string kind = kindOf(found.failure);
   RandomCase small = shrunk(c, [&](const RandomCase& next) { return kindOf(others.failureOf(next, way)) == kind; });
   small.story = others.failureOf(small, way);
-  const std::filesystem::path folder =
-      std::filesystem::path(HAVS_BUILD) / "random-failures" / fmt::format("{}-{}", run.seed, found.number);
   writeCase(small, folder);
   print(
       fmt::format("FOUND: seed {}, case {}: {}\n  shrunk to {} cells: {}\n"
@@ -63,6 +65,7 @@ RandomRun asAskedFor(RandomRun run) {
 }
 
 std::vector<FoundFailure> runRandom(const RandomRun& run, CaseChecker& checker) {
+  const ThreadLimit oneThread(1);  // pictures are small
   constexpr std::size_t kShown = 3, kNews = 10000;
   std::vector<FoundFailure> failures;
   std::map<std::string, std::size_t> kinds;

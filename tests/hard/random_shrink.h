@@ -11,6 +11,6 @@ using Fails = std::function<bool(const RandomCase&)>;
 
 /// The smallest case found with `mostTries` calls of `fails`: fewer cells, fewer settings, fewer points of the transfer
 /// function, a smaller picture, numbers of fewer digits.
-RandomCase shrunk(RandomCase c, const Fails& fails, int mostTries = 3000);
+RandomCase shrunk(RandomCase c, const Fails& fails, int mostTries = 600);
 
 }  // namespace havs::test
