@@ -93,6 +93,15 @@ struct HardPicture {
   const havs::Drawing& by(const std::string& way) const;
 };
 
+/// The worst channel's difference at a pixel; NaN where one is.
+double errorAt(const Image& a, const Image& b, std::size_t pixel);
+/// Whether the certificate counts late fragments at a pixel.
+bool isLate(const havs::Drawing& drawing, std::size_t pixel);
+/// How many pixels beyond `limit`, outside the mask and not late, have no cause in the rasteriser (PixelTracer), and
+/// what the first of them is. More than `mostTraced` beyond it: their number.
+std::size_t untraced(const HardPicture& picture, const havs::Drawing& drawing, const std::vector<unsigned char>& mask,
+                     double limit, std::string& first, std::size_t mostTraced = 64);
+
 /// Tests that draw.
 class HardPictureTest : public HardTest {
  protected:

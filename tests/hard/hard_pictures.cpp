@@ -15,9 +15,6 @@
 #include "support/temporary_folder.h"
 
 namespace havs::test {
-namespace {
-
-constexpr std::size_t kMostTraced = 64;  ///< pixels of a picture
 
 double errorAt(const Image& a, const Image& b, std::size_t pixel) {
   double error = 0;
@@ -27,6 +24,12 @@ double errorAt(const Image& a, const Image& b, std::size_t pixel) {
   }
   return error;
 }
+
+bool isLate(const havs::Drawing& drawing, std::size_t pixel) {
+  return drawing.certificate && drawing.certificate->count[pixel] > 0;
+}
+
+namespace {
 
 /// The current OpenGL context of the process: one is enough, and its programs are slow to make.
 const Device& osmesa() {
@@ -40,10 +43,6 @@ Scene drawnIn(const HardWay& way, Scene scene) {
   scene.sort = way.sort;
   scene.k = way.k;
   return scene;
-}
-
-bool isLate(const havs::Drawing& drawing, std::size_t pixel) {
-  return drawing.certificate && drawing.certificate->count[pixel] > 0;
 }
 
 /// Errors of the pixels that count, ascending.
@@ -61,24 +60,6 @@ double percentile999(const std::vector<double>& ascending) {
   return ascending[rank - 1];
 }
 
-/// How many pixels beyond `limit` have no cause in the rasteriser.
-std::size_t untraced(const HardPicture& picture, const havs::Drawing& drawing, const std::vector<unsigned char>& mask,
-                     double limit, std::string& first) {
-  std::size_t beyond = 0, without = 0;
-  std::optional<PixelTracer> tracer;
-  const auto width = static_cast<std::size_t>(picture.view.width);
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] || isLate(drawing, i) || errorAt(drawing.image, picture.truth, i) <= limit) continue;
-    if (++beyond > kMostTraced) return beyond;
-    if (!tracer) tracer.emplace(picture.prepared, picture.view);
-    const PixelTrace trace =
-        tracer->trace(static_cast<int>(i % width), static_cast<int>(i / width), drawing.image, picture.truth, 0);
-    if (trace.cause == Cause::grid || trace.cause == Cause::rounding) continue;
-    if (without++ == 0) first = summary(trace) + listOf(trace.exact) + " the rasteriser:\n" + listOf(trace.snapped);
-  }
-  return without;
-}
-
 }  // namespace
 
 havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene& prepared, const View& view,
@@ -90,6 +71,23 @@ havs::Drawing drawIn(const HardWay& way, const Scene& asked, const PreparedScene
   RenderPlan chosen = plan(scene, prepared.facts(), can);
   if (change) change(chosen);
   return makeRenderer(prepared, chosen, stages)->draw(view, stages);
+}
+
+std::size_t untraced(const HardPicture& picture, const havs::Drawing& drawing, const std::vector<unsigned char>& mask,
+                     double limit, std::string& first, std::size_t mostTraced) {
+  std::size_t beyond = 0, without = 0;
+  std::optional<PixelTracer> tracer;
+  const auto width = static_cast<std::size_t>(picture.view.width);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] || isLate(drawing, i) || errorAt(drawing.image, picture.truth, i) <= limit) continue;
+    if (++beyond > mostTraced) return beyond;
+    if (!tracer) tracer.emplace(picture.prepared, picture.view);
+    const PixelTrace trace =
+        tracer->trace(static_cast<int>(i % width), static_cast<int>(i / width), drawing.image, picture.truth, 0);
+    if (trace.cause == Cause::grid || trace.cause == Cause::rounding) continue;
+    if (without++ == 0) first = summary(trace) + listOf(trace.exact) + " the rasteriser:\n" + listOf(trace.snapped);
+  }
+  return without;
 }
 
 const std::vector<HardWay>& hardWays() {

@@ -1,0 +1,242 @@
+#include "hard/random_check.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "core/error.h"
+#include "hard/random_rays.h"
+#include "image/native_scene.h"
+#include "reference/edge_mask.h"
+#include "reference/reference_renderer.h"
+#include "render/make_renderer.h"
+#include "render/modes.h"
+#include "scene/eye_cut.h"
+
+namespace havs::test {
+namespace {
+
+/// Distances and scalars are of order 1 and go through some roundings to float, 2^-24 each. The k-buffer lets two
+/// fragments change places that are 1e-6 apart or less (docs/02-method.md, Late fragments).
+constexpr double kRounding = 4 * 0x1p-24, kTogether = 1e-6 + kRounding;
+/// Places are relative to the first pixel of a block of 64 x 64 or nearer, and rounded to float some times.
+constexpr double kPlace = 64 * kRounding;
+/// Of errors: what lies beyond is another kind of failure.
+constexpr double kFar = 1e-2;
+
+bool composites(const Scene& scene) { return mode(scene.mode).gathering == Gathering::composite; }
+
+/// Whether what is drawn has no error but rounding.
+bool isExact(const Scene& scene) { return scene.lookup == "exact" || !usesLookup(mode(scene.mode)); }
+
+/// "" or the first number that is none of [0, 1]; of composites, a colour above the opacity.
+std::string notInRange(const Image& image, const Scene& scene) {
+  if (composites(scene)) return notAPicture(image);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    if (!(image.rgba[i] >= 0 && image.rgba[i] <= 1 + 1e-6f))
+      return fmt::format("channel {} of pixel {} is {}", i % 4, i / 4, image.rgba[i]);
+  return "";
+}
+
+/// The same view through places of the picture that lie a little aside, in pixels.
+View shifted(View view, double x, double y) {
+  const Vec3 by = 2 * x / view.width * view.halfWidth * view.right - 2 * y / view.height * view.halfHeight * view.up;
+  if (view.orthographic) {
+    view.center += by;
+    return view;
+  }
+  view.forward = normalize(view.forward + by);
+  view.right = normalize(view.right - dot(view.right, view.forward) * view.forward);
+  view.up = cross(view.right, view.forward);
+  return view;
+}
+
+using Rays = std::function<void(std::size_t pixel, double scale, std::span<const CellSegment> segments)>;
+
+void visitPixels(const PreparedScene& prepared, const View& view, const std::vector<char>& pixels, const Rays& visit) {
+  visitRays(prepared, view, [&](int x, int y, std::span<const CellSegment> segments) {
+    const auto pixel = static_cast<std::size_t>(x + y * view.width);
+    if (pixels[pixel]) visit(pixel, view.rayScale(x + 0.5, y + 0.5), segments);
+  });
+}
+
+/// By how much each pixel of `hard` may be off: what float may do to its fragments, and what the truth does where the
+/// picture's places are rounded, which faces seen nearly edge on magnify.
+std::vector<double> effectsAt(const HardPicture& picture, const std::vector<char>& hard) {
+  std::vector<double> effects(hard.size());
+  const PreparedScene& p = picture.prepared;
+  const RayScene scene{p.curve, p.isosurfaces};
+  const RayFunction function = mode(picture.scene.mode).reference;
+  const bool cut = eyeIsNear(picture.view, kEyeCutInDouble);
+  visitPixels(p, picture.view, hard, [&](std::size_t pixel, double scale, std::span<const CellSegment> segments) {
+    const FragmentErrors errors{kRounding, scale * (cut ? kEyeCutInDouble.distance + kRounding : kRounding),
+                                scale * kTogether};
+    effects[pixel] = floatEffect(scene, function, segments, p.field.centering == Centering::cell, errors);
+  });
+  for (const auto& [x, y] : std::array<std::array<double, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+    const View view = shifted(picture.view, kPlace * x, kPlace * y);
+    visitPixels(p, view, hard, [&](std::size_t pixel, double, std::span<const CellSegment> segments) {
+      const RayColor color = function(scene, segments);
+      double most = 0;
+      for (std::size_t c = 0; c < 4; ++c)
+        most = std::max(most, std::abs(color[c] - double{picture.truth.rgba[4 * pixel + c]}));
+      effects[pixel] += most;
+    });
+  }
+  return effects;
+}
+
+std::string placeOf(std::size_t pixel, const Image& image) {
+  const auto width = static_cast<std::size_t>(image.width);
+  return fmt::format("{},{}", pixel % width, pixel / width);
+}
+
+std::string colorsAt(std::size_t pixel, const Image& a, const Image& b) {
+  std::string text;
+  for (const Image* image : {&a, &b})
+    text += fmt::format(" ({:.7f} {:.7f} {:.7f} {:.7f})", image->rgba[4 * pixel], image->rgba[4 * pixel + 1],
+                        image->rgba[4 * pixel + 2], image->rgba[4 * pixel + 3]);
+  return text;
+}
+
+std::string withoutNumbers(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isdigit(c) != 0 || c == '.' || c == '-'; });
+  return text;
+}
+
+/// Without the middle one of the cells.
+TetMesh withoutOneCell(TetMesh mesh) {
+  const std::size_t cell = mesh.tetrahedra.size() / 2;
+  mesh.tetrahedra.erase(mesh.tetrahedra.begin() + static_cast<std::ptrdiff_t>(cell));
+  for (Field& field : mesh.cellFields) field.values.erase(field.values.begin() + static_cast<std::ptrdiff_t>(cell));
+  return mesh;
+}
+
+/// Whether what is left of a mesh is drawn as it was.
+bool sameSettings(const PreparedScene& a, const PreparedScene& b) {
+  return a.frame.center == b.frame.center && a.frame.radius == b.frame.radius && a.frame.diagonal == b.frame.diagonal &&
+         a.field.minimum == b.field.minimum && a.field.maximum == b.field.maximum;
+}
+
+}  // namespace
+
+std::string kindOf(const std::string& failure) { return failure.substr(0, failure.find(':')); }
+
+std::string CaseChecker::judgeNative(const HardPicture& picture, const havs::Drawing& drawing, bool overlaps) {
+  if (const std::string wrong = notInRange(drawing.image, picture.scene); !wrong.empty())
+    return "native out of range: " + wrong;
+  if (overlaps || !isExact(picture.scene)) return "";
+  double bound = HardBounds{}.native;
+  if (picture.scene.earlyTermination > 0) bound += 1 - picture.scene.earlyTermination;
+  std::vector<char> hard(picture.truth.rgba.size() / 4);
+  bool any = false;
+  for (std::size_t i = 0; i < hard.size(); ++i) {
+    if (isLate(drawing, i)) {
+      ++tally_.late;
+      continue;
+    }
+    ++tally_.pixels;
+    const double error = errorAt(drawing.image, picture.truth, i);
+    hard[i] = !(error <= bound);
+    any = any || hard[i];
+    if (!hard[i] && picture.scene.earlyTermination == 0) tally_.native = std::max(tally_.native, error);
+  }
+  if (!any) return "";
+  const std::vector<double> effects = effectsAt(picture, hard);
+  for (std::size_t i = 0; i < hard.size(); ++i) {
+    if (!hard[i]) continue;
+    ++tally_.hard;
+    const double error = errorAt(drawing.image, picture.truth, i);
+    if (!(error <= bound + effects[i]))
+      return fmt::format("native {} the truth: pixel {} is off by {:.3g}, float may move it by {:.3g};{}",
+                         error > kFar ? "far from" : "beside", placeOf(i, picture.truth), error, effects[i],
+                         colorsAt(i, drawing.image, picture.truth));
+  }
+  return "";
+}
+
+std::string CaseChecker::judgeOpenGl(const HardPicture& picture, const HardWay& way, bool overlaps) {
+  const havs::Drawing drawing = drawIn(way, picture.scene, picture.prepared, picture.view);
+  ++tally_.openGl;
+  if (const std::string wrong = notInRange(drawing.image, picture.scene); !wrong.empty())
+    return way.name + " out of range: " + wrong;
+  if (way.visibility == "abuffer" && drawing.certificate && drawing.certificate->misordered > 0)
+    return "a-buffer misorders: its certificate is not 0";
+  const bool traceable = picture.scene.mode == "volume" && picture.scene.lookup == "exact" &&
+                         picture.scene.earlyTermination == 0 && !eyeIsNear(picture.view, kEyeCutInFloat);
+  if (overlaps || !traceable) return "";
+  const auto mask = boundaryEdgeMask(picture.prepared.points, picture.prepared.faces, picture.view);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] || isLate(drawing, i)) continue;
+    const double error = errorAt(drawing.image, picture.truth, i);
+    ++tally_.glPixels;
+    tally_.glCoarse += error > HardBounds{}.p999 ? 1 : 0;
+    tally_.glTraced += error > HardBounds{}.traced ? 1 : 0;
+  }
+  std::string first;
+  const std::size_t without = untraced(picture, drawing, mask, HardBounds{}.traced, first, mask.size());
+  return without == 0 ? ""
+                      : fmt::format("{} against the truth: {} pixels without a cause; {}", way.name, without, first);
+}
+
+/// What is left of a mesh covers no more than all of it.
+std::string CaseChecker::judgeFewerCells(const RandomCase& c, const HardPicture& picture) {
+  if (c.mesh.tetrahedra.size() < 2 || picture.scene.mode != "volume") return "";
+  StageTimes stages;
+  std::optional<PreparedScene> fewer;
+  try {
+    fewer = prepareScene(picture.scene, withoutOneCell(c.mesh), stages);
+  } catch (const Error&) {
+    return "";  // the cell was all that there is
+  }
+  if (!sameSettings(*fewer, picture.prepared)) return "";
+  ++tally_.monotone;
+  const Image image = makeReference(picture.scene, *fewer)->draw(picture.view, stages).image;
+  constexpr float kRounded = 0x1p-22f;  // opacities of double, rounded to float
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    if (image.rgba[i] > picture.truth.rgba[i] + kRounded)
+      return fmt::format("fewer cells, more opacity: pixel {}:{}", placeOf(i / 4, image),
+                         colorsAt(i / 4, image, picture.truth));
+  return "";
+}
+
+std::string CaseChecker::drawn(const RandomCase& c, const HardWay* openGl) {
+  Scene scene = sceneOf(c, folder_.path());
+  scene.certificate = composites(scene);
+  StageTimes stages;
+  HardPicture picture{scene, prepareScene(scene, c.mesh, stages), {}, {}, {}};
+  picture.view = makeView(scene.camera, picture.prepared.frame, scene.width, scene.height);
+  const HardWay native{"native", "native", "native", "kbuffer", scene.sort, scene.k};
+  const havs::Drawing drawing = drawIn(native, scene, picture.prepared, picture.view);
+  picture.truth = makeReference(scene, picture.prepared)->draw(picture.view, stages).image;
+  if (const std::string wrong = notInRange(picture.truth, scene); !wrong.empty())
+    return "reference out of range: " + wrong;
+  std::string failure = judgeNative(picture, drawing, c.overlaps);
+  if (failure.empty()) {
+    scene.instructionSet = "scalar";
+    const std::string bits = differenceInBits(drawIn(native, scene, picture.prepared, picture.view), drawing);
+    if (!bits.empty()) failure = "lanes: other bits on one lane than on many: " + bits;
+  }
+  if (failure.empty() && !c.overlaps) failure = judgeFewerCells(c, picture);
+  if (failure.empty() && openGl != nullptr) failure = judgeOpenGl(picture, *openGl, c.overlaps);
+  return failure;
+}
+
+std::string CaseChecker::failureOf(const RandomCase& c, const HardWay* openGl) {
+  ++tally_.cases;
+  try {
+    return drawn(c, openGl);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input) return std::string("an error while running: ") + error.what();
+    ++tally_.refused;
+    ++tally_.refusals[withoutNumbers(error.what())];
+  } catch (const std::exception& error) {
+    return std::string("an exception: ") + error.what();
+  }
+  return "";
+}
+
+}  // namespace havs::test
