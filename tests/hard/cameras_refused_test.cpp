@@ -48,6 +48,8 @@ TEST_F(CamerasRefused, FieldsOfViewThatAreNone) {
         "0 and 180 degrees and beyond are refused, and what is wider than floats can draw"});
   for (const double angle : {0.0, -1.0, 180.0, 360.0, 1e300})
     expectRefusedWith([&](Camera& c) { c.fieldOfView = angle; }, "camera: the field of view must lie between");
+  for (const double angle : {179.99, 179.999999999, 180 - 1e-13})
+    expectRefusedWith([&](Camera& c) { c.fieldOfView = angle; }, "camera: the picture shows too much");
 }
 
 TEST_F(CamerasRefused, ZoomsThatShowNothing) {

@@ -22,7 +22,7 @@ std::vector<Tile> tilesOf(const View& view, const RenderPlan& plan) {
 Mat4 clipMatrix(const View& view, const Tile& tile) {
   const double perspective = view.orthographic ? 0.0 : 1.0;
   // Rows of the whole picture's matrix: u and v as in View, and w.
-  const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -view.eyeDepth()};
+  const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -view.depth(view.eye)};
   auto row = [&](const Vec3& axis, double half) { return Vec4{axis / half, -dot(axis, view.center) / half}; };
   const Vec4 u = row(view.right, view.halfWidth), v = row(view.up, view.halfHeight);
   // The tile's middle goes to 0, its half size to 1.
@@ -43,7 +43,7 @@ Vec4 pixelToRay(const View& view, const Tile& tile) {
 Vec4 pixelToBase(const View& view, const Tile& tile) {
   const double eyeX = dot(view.right, view.center), eyeY = dot(view.up, view.center);
   // A perspective ray has gone -depth(eye) units of depth when it meets that plane.
-  const double reach = view.orthographic ? 1.0 : -view.eyeDepth();
+  const double reach = view.orthographic ? 1.0 : -view.depth(view.eye);
   const double sx = 2.0 * view.halfWidth / view.width, sy = 2.0 * view.halfHeight / view.height;
   return {reach * sx, reach * sy, eyeX + reach * (tile.x * sx - view.halfWidth),
           eyeY + reach * (tile.y * sy - view.halfHeight)};

@@ -17,7 +17,7 @@ void setRays(const View& view, TileLight& light) {
   const Vec3 perX = (2 * view.halfWidth / view.width) * view.right;
   const Vec3 perY = (-2 * view.halfHeight / view.height) * view.up;
   const Vec3 across = 0.5 * perX - view.halfWidth * view.right + 0.5 * perY + view.halfHeight * view.up;
-  const double reach = view.orthographic ? 1.0 : -view.eyeDepth();
+  const double reach = view.orthographic ? 1.0 : -view.depth(view.eye);
   const Vec3 zero(0.0);
   const Vec3 along = view.orthographic ? view.forward : view.forward + across;
   copy(along, light.along[0]);
