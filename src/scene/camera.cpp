@@ -12,8 +12,9 @@ namespace {
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kFar = 2;             ///< radii; beyond it, places are relative to the other of eye and target
 constexpr double kFarthestEye = 1e15;  ///< radii: numbers of the order of its square and the picture's are floats
-/// A pixel at the mesh, in radii: places are known to 1e-16, by four digits more than that; the largest is float's.
-constexpr double kSmallestPixel = 1e-12, kLargestPixel = 1e15;
+/// A pixel at the mesh, in radii. Places are known to 1e-16 of the mesh and of the picture: four digits more than the
+/// smallest pixel, ten more than what the mesh takes of the largest.
+constexpr double kSmallestPixel = 1e-12, kLargestPixel = 1e6;
 /// Half a side of a perspective picture, as a tangent: 179.99 degrees. What is cut off before an eye in the mesh
 /// (scene/eye_cut.h) is 2e-4 radii of the longest ray there.
 constexpr double kWidest = 1e4;
@@ -84,8 +85,8 @@ void checkExtent(const View& view) {
   if (!view.orthographic && !(half <= kWidest))
     failInput("the picture shows too much: it is wider than 179.99 degrees", "camera",
               "take a smaller field of view, a larger zoom, or a picture less long");
-  if (!(half / std::min(view.width, view.height) <= kLargestPixel))
-    failInput("the picture shows too much: a pixel is larger than 1e15 radii of the mesh", "camera", "zoom in");
+  if (!(2 * std::max(view.halfWidth / view.width, view.halfHeight / view.height) <= kLargestPixel))
+    failInput("the picture shows too much: a pixel is larger than 1e6 radii of the mesh", "camera", "zoom in");
 }
 
 }  // namespace
@@ -115,7 +116,8 @@ View makeView(const Camera& camera, const LocalFrame& frame, int width, int heig
 
   Vec3 across = cross(view.forward, safelyNormalized(stand.up));
   if (length(across) < 1e-9) across = cross(view.forward, axisAcross(view.forward));
-  view.right = normalize(across);
+  across = normalize(across);  // of a short one, rounding is not across the view
+  view.right = normalize(across - dot(across, view.forward) * view.forward);
   view.up = cross(view.right, view.forward);
 
   if (view.orthographic) {

@@ -44,17 +44,18 @@ class CameraCase : public HardPictureTest {
   }
 
   /// For an eye in the mesh or in its bounding sphere. Before the cut (scene/eye_cut.h) optical depth is missing; and
-  /// float leaves of the picture what it leaves elsewhere, times the length of the longest ray for one unit of depth.
+  /// distances are depths times the length of the ray for one unit of depth, so that a rounding of the depth in float
+  /// counts as often: once on the native device, whose functions are relative to the face, with OpenGL at each of the
+  /// dozen faces that a ray meets.
   static HardBounds boundsWithin(const Scene& scene, const TetMesh& mesh, double kappa = kVolumeKappa) {
     const LocalFrame frame = localFrame(mesh);
     const View view = makeView(scene.camera, frame, scene.width, scene.height);
-    const double corner = view.rayScale(0.5, 0.5);
-    const auto missing = [&](const EyeCut& cut) { return kappa * frame.radius * leftOut(view, cut); };
+    const double depth = kappa * frame.radius, rounding = 0x1p-24 * depth * view.rayScale(0, 0);
     HardBounds bounds;
     bounds.trace = false;
-    bounds.native = bounds.native * corner + missing(kEyeCutInDouble);
-    bounds.p999 = bounds.p999 * corner + missing(kEyeCutInFloat);
-    bounds.traced = bounds.traced * corner + missing(kEyeCutInFloat);
+    bounds.native += depth * leftOut(view, kEyeCutInDouble) + rounding;
+    bounds.p999 += depth * leftOut(view, kEyeCutInFloat) + 12 * rounding;
+    bounds.traced += depth * leftOut(view, kEyeCutInFloat) + 12 * rounding;
     return bounds;
   }
 
@@ -86,8 +87,10 @@ class CameraCase : public HardPictureTest {
  private:
   /// Of the ray of a pixel's centre, relative to the target: far eyes lose nothing.
   static double wayInBox(const Camera& camera, const LocalFrame& frame, const View& view, int x, int y) {
-    const Wide u = (2 * (x + Wide{0.5}) / view.width - 1) * view.halfWidth;
-    const Wide v = (1 - 2 * (y + Wide{0.5}) / view.height) * view.halfHeight;
+    // Rays along a side count as moved a little to the right and, far less, down (raster/edge_function.h).
+    constexpr Wide kRight = 1e-10L, kDown = 1e-13L;
+    const Wide u = (2 * (x + 0.5L + kRight) / view.width - 1) * view.halfWidth;
+    const Wide v = (1 - 2 * (y + 0.5L + kDown) / view.height) * view.halfHeight;
     const Wide3 across = u * Wide3(view.right) + v * Wide3(view.up);
     const Wide3 target(camera.target.value_or(frame.center)), eye = frame.center + frame.radius * view.eye;
     const Wide distance = camera.eye ? length(target - Wide3(*camera.eye)) : length(target - eye);

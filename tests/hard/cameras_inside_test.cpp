@@ -8,12 +8,14 @@ class CamerasInside : public CameraCase {
  protected:
   /// Looked at from `eye` into two directions, `fieldOfView` wide; a grid of cells with edge 0.5.
   void expectFrom(const Vec3& eye, double fieldOfView = 60,
-                  const std::vector<Vec3>& directions = {{-1, -0.2, 0.1}, {0.3, 0.4, -1}}) {
+                  const std::vector<Vec3>& directions = {{-1, -0.2, 0.1}, {0.3, 0.4, -1}}, std::size_t late = 0) {
     const TetMesh mesh = withSmoothField(box(4));
     for (const Vec3& direction : directions) {
       SCOPED_TRACE(testing::Message() << "towards " << direction.x << ' ' << direction.y << ' ' << direction.z);
       const Scene scene = cameraScene(eye, eye + direction, fieldOfView);
-      expectEveryWay(scene, mesh, boundsWithin(scene, mesh));
+      HardBounds bounds = boundsWithin(scene, mesh);
+      bounds.late = late;
+      expectEveryWay(scene, mesh, bounds);
       expectClosedForm(scene, mesh);
     }
   }
@@ -43,7 +45,9 @@ TEST_F(CamerasInside, OnABoundaryPoint) {
 
 TEST_F(CamerasInside, OnACornerOfTheMesh) {
   tell(story("three boundary faces and more go through the eye"));
-  expectFrom({1, 1, 1}, 100, {{-1, -1.1, -0.9}, {-1, 0.1, 0.2}, {1, 1, 1}});
+  // In the planes of the sides, faces are edge on: what float makes of their distances may be late for OpenGL in one
+  // pixel of a thousand.
+  expectFrom({1, 1, 1}, 100, {{-1, -1.1, -0.9}, {-1, 0.1, 0.2}, {1, 1, 1}}, 4);
 }
 
 TEST_F(CamerasInside, OnAnInnerEdge) {

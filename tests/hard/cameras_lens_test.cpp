@@ -135,8 +135,8 @@ TEST_F(CamerasLens, ParallelViewOfALittle) {
 }
 
 TEST_F(CamerasLens, ParallelViewOfALot) {
-  tell({"Cameras", "in a view 1e14 high the mesh is a point", "a pixel is the ray of its centre"});
-  for (const double height : {1e3, 1e9, 1e14}) {
+  tell({"Cameras", "in a view 1e7 high the mesh is 1e-5 of a pixel", "a pixel is the ray of its centre"});
+  for (const double height : {1e3, 1e7}) {
     Scene scene = parallel(height);
     scene.width = scene.height = 65;
     expectTrue(scene);

@@ -53,14 +53,13 @@ TEST_F(CamerasRefused, FieldsOfViewThatAreNone) {
 }
 
 TEST_F(CamerasRefused, ZoomsThatShowNothing) {
-  tell(
-      {"Cameras", "the height of the view over- or underflows: no picture has been divided by such numbers",
-       "a view is refused where a pixel is smaller than what tells places apart in double, or larger than 1e30 radii"});
+  tell({"Cameras", "the height of the view over- or underflows: no picture has been divided by such numbers",
+        "a view is refused where a pixel is smaller than what tells places apart in double, or 1e6 times the mesh"});
   for (const double zoom : {1e300, 1e30})
     expectRefusedWith([&](Camera& c) { c.zoom = zoom; }, "camera: the picture shows");
   for (const double zoom : {1e-300, 1e-60})
     expectRefusedWith([&](Camera& c) { c.zoom = zoom; }, "camera: the picture shows");
-  for (const double height : {1e300, 1e-300, 1e-30})
+  for (const double height : {1e300, 1e10, 1e-300, 1e-30})
     expectRefusedWith(
         [&](Camera& c) {
           c.projection = Projection::orthographic;
