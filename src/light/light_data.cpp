@@ -53,9 +53,10 @@ std::vector<std::uint8_t> maskOf(const PreparedScene& drawn) {
 
 /// A view in the uncut scene's frame.
 View uncutView(const PreparedScene& drawn, View view) {
-  const Vec3& origin = wholeOf(drawn).origin;
-  view.eye += origin;
-  view.center += origin;
+  const PreparedScene& whole = wholeOf(drawn);
+  view.eye = whole.origin + whole.axes * view.eye;
+  view.center = whole.origin + whole.axes * view.center;
+  for (Vec3* const direction : {&view.right, &view.up, &view.forward}) *direction = whole.axes * *direction;
   return view;
 }
 
@@ -63,7 +64,7 @@ Light asLight(const ViewLight& light) {
   return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
 }
 
-ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& view) {
+ViewLight placed(const SceneLight& light, const LocalFrame& frame, const glm::dmat3& axes, const View& view) {
   ViewLight placed;
   placed.intensity = light.intensity;
   switch (light.kind) {
@@ -72,11 +73,11 @@ ViewLight placed(const SceneLight& light, const LocalFrame& frame, const View& v
       placed.place = view.orthographic ? -view.forward : view.eye;
       break;
     case SceneLight::Kind::directional:
-      placed.place = asLight({false, light.place, 1}).towards(Vec3(0));
+      placed.place = asLight({false, light.place * axes, 1}).towards(Vec3(0));
       break;
     case SceneLight::Kind::point:
       placed.atPlace = true;
-      placed.place = frame.toLocal(light.place);
+      placed.place = frame.toLocal(light.place) * axes;
       break;
   }
   return placed;
@@ -126,7 +127,7 @@ struct LightData::Whole {
   /// The plan's lights in the frame of a scene.
   std::vector<ViewLight> lightsIn(const PreparedScene& seen, const View& view) const {
     std::vector<ViewLight> lights;
-    for (const SceneLight& light : plan.lights) lights.push_back(placed(light, seen.frame, view));
+    for (const SceneLight& light : plan.lights) lights.push_back(placed(light, seen.frame, wholeOf(seen).axes, view));
     return lights;
   }
 
@@ -142,7 +143,7 @@ struct LightData::Whole {
     for (const Vec3& g : gradients) largest = std::max(largest, dot(g, g));
     const double per = largest > 0 ? 1 / std::sqrt(largest) : 0;
     for (int axis = 0; axis < 3; ++axis)
-      put(plan.gradientAt + axis, [&](std::size_t p) { return gradients[p][axis] * per; });
+      put(plan.gradientAt + axis, [&](std::size_t p) { return dot(wholeOf(drawn).axes[axis], gradients[p]) * per; });
   }
 
   void putBalls() {

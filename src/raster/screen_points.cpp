@@ -46,7 +46,7 @@ std::array<int, 2> pixelsIn(const Interval& interval, int size) {
 
 ScreenPoint screenPoint(const Vec3& localPoint, const View& view) {
   const Vec3 q = localPoint - view.center;
-  const double w = view.orthographic ? 1.0 : dot(view.forward, q);
+  const double w = view.orthographic ? 1.0 : dot(view.forward, localPoint - view.eye);
   const double u = dot(view.right, q) / view.halfWidth;
   const double v = dot(view.up, q) / view.halfHeight;
   return {flushed(0.5 * (w + u) * view.width), flushed(0.5 * (w - v) * view.height), flushed(w),

@@ -169,8 +169,8 @@ RayColor LitRays::color(int x, int y, std::span<const CellSegment> segments, std
   const double v = (1 - 2 * (y + 0.5) / view_.height) * view_.halfHeight;
   const Vec3 across = u * view_.right + v * view_.up;
   const Vec3 along = view_.orthographic ? view_.forward : view_.forward + across;
-  const Vec3 start = view_.orthographic ? view_.center + across : view_.center;
-  const Vec3 base = start - view_.depth(view_.center) * along;  // at depth 0
+  const double reach = view_.orthographic ? 1.0 : -view_.depth(view_.eye);
+  const Vec3 base = view_.center - view_.depth(view_.center) * view_.forward + reach * across;  // at depth 0
   const Vec3 toEye = -along / scale;
   Rgba sum(0, 0, 0, 0);
   Crossings crossings(prepared_.isosurfaces);

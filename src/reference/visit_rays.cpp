@@ -60,7 +60,7 @@ class RayCaster {
     mesh_.points = screenPoints(prepared.points, view);
     mesh_.scalars = prepared.scalars;
     mesh_.cellData = prepared.field.centering == Centering::cell;
-    mesh_.eyeDepth = view.depth(view.center);
+    mesh_.eyeDepth = view.depth(view.eye);
     mesh_.width = view.width;
     mesh_.height = view.height;
   }

@@ -10,7 +10,9 @@ namespace {
 
 /// What a cut follows from.
 struct Seen {
-  Vec3 eye, forward, right;
+  bool orthographic;
+  int width, height;
+  Vec3 eye, center, forward, right;
   double halfWidth, halfHeight;
   bool operator==(const Seen&) const = default;
 };
@@ -26,9 +28,9 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     if (cutFor(view, stages) || !renderer_) renderer_ = make_(drawn(), plan_, stages, progress);
     std::optional<RayLayers> moved;
-    if (layers_ != nullptr && part_) moved = seenFromOrigin(*layers_, view);
+    if (layers_ != nullptr && part_) moved = seenFrom(*layers_, view, part_->origin);
     renderer_->setLayers(moved ? &*moved : layers_);
-    Drawing drawing = renderer_->draw(part_ ? viewFromOrigin(view) : view, stages, progress);
+    Drawing drawing = renderer_->draw(part_ ? viewOfCut(*part_, view) : view, stages, progress);
     if (part_ && !drawing.drawnCells) drawing.drawnCells = part_->mesh.tetrahedra.size();
     return drawing;
   }
@@ -47,10 +49,11 @@ class AnyEyeRenderer final : public Renderer, public ChangesK {
   /// Cuts the mesh as the view needs it. Whether that is another mesh than before.
   bool cutFor(const View& view, StageTimes& stages) {
     std::optional<ScopedStage> timer;
-    if (eyeIsNear(view, how_)) timer.emplace(stages, "eye_cut");
+    if (eyeIsNear(view, how_) || showsTooFine(view, how_)) timer.emplace(stages, "eye_cut");
     std::optional<Seen> cut;
     if (needsEyeCut(prepared_, view, how_))
-      cut = Seen{view.eye, view.forward, view.right, view.halfWidth, view.halfHeight};
+      cut = Seen{view.orthographic, view.width, view.height,    view.eye,       view.center,
+                 view.forward,      view.right, view.halfWidth, view.halfHeight};
     if (cut == cut_) return false;
     renderer_.reset();  // before what it draws, and its memory before the next one's
     part_.reset();

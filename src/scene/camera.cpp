@@ -10,6 +10,14 @@ namespace havs {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+constexpr double kFar = 2;             ///< radii; beyond it, places are relative to the other of eye and target
+constexpr double kFarthestEye = 1e15;  ///< radii: numbers of the order of its square and the picture's are floats
+/// A pixel at the mesh, in radii. Places are known to 1e-16 of the mesh and of the picture: four digits more than the
+/// smallest pixel, ten more than what the mesh takes of the largest.
+constexpr double kSmallestPixel = 1e-12, kLargestPixel = 1e6;
+/// Half a side of a perspective picture, as a tangent: 179.99 degrees. What is cut off before an eye in the mesh
+/// (scene/eye_cut.h) is 2e-4 radii of the longest ray there.
+constexpr double kWidest = 1e4;
 
 void checkCamera(const Camera& camera) {
   auto check = [](bool good, const char* what, const char* tryThis) {
@@ -61,6 +69,26 @@ Stand standOf(const Camera& camera, const LocalFrame& frame, double fittedDistan
   return stand;
 }
 
+/// What places are relative to: the target of parallel rays, else the eye, so that a point of the mesh may be exactly
+/// there; the other one where it lies nearer to a mesh far away.
+Vec3 axisPoint(const Stand& stand, bool orthographic) {
+  const Vec3 &first = orthographic ? stand.target : stand.eye, &second = orthographic ? stand.eye : stand.target;
+  return length(first) > kFar && length(second) < length(first) ? second : first;
+}
+
+void checkExtent(const View& view) {
+  const double distance = view.orthographic ? 1.0 : std::max(length(view.eye), 1.0);
+  const double pixel = 2 * distance * std::min(view.halfWidth / view.width, view.halfHeight / view.height);
+  const double half = std::max(view.halfWidth, view.halfHeight);
+  if (!(pixel >= kSmallestPixel))
+    failInput("the picture shows too little: a pixel is smaller than 1e-12 radii of the mesh", "camera", "zoom out");
+  if (!view.orthographic && !(half <= kWidest))
+    failInput("the picture shows too much: it is wider than 179.99 degrees", "camera",
+              "take a smaller field of view, a larger zoom, or a picture less long");
+  if (!(2 * std::max(view.halfWidth / view.width, view.halfHeight / view.height) <= kLargestPixel))
+    failInput("the picture shows too much: a pixel is larger than 1e6 radii of the mesh", "camera", "zoom in");
+}
+
 }  // namespace
 
 View makeView(const Camera& camera, const LocalFrame& frame, int width, int height) {
@@ -77,15 +105,19 @@ View makeView(const Camera& camera, const LocalFrame& frame, int width, int heig
 
   const Vec3 toTarget = stand.target - stand.eye;
   const double distance = length(toTarget);
-  if (!std::isfinite(distance)) failInput("eye or target is too far away", "camera", "give them in mesh units");
+  if (!(length(stand.eye) <= kFarthestEye) && !(view.orthographic && std::isfinite(distance)))
+    failInput("the eye is too far away", "camera",
+              "come nearer than 1e15 radii of the mesh, widen the field of view, or use an orthographic projection");
+  if (!std::isfinite(distance)) failInput("the target is too far away", "camera", "give it in mesh units");
   if (!(distance > 0)) failInput("eye and target are the same point", "camera", "move one of them");
   view.forward = toTarget / distance;
   view.eye = stand.eye;
-  view.center = view.orthographic ? stand.target : stand.eye;
+  view.center = axisPoint(stand, view.orthographic);
 
   Vec3 across = cross(view.forward, safelyNormalized(stand.up));
   if (length(across) < 1e-9) across = cross(view.forward, axisAcross(view.forward));
-  view.right = normalize(across);
+  across = normalize(across);  // of a short one, rounding is not across the view
+  view.right = normalize(across - dot(across, view.forward) * view.forward);
   view.up = cross(view.right, view.forward);
 
   if (view.orthographic) {
@@ -95,8 +127,7 @@ View makeView(const Camera& camera, const LocalFrame& frame, int width, int heig
     view.halfHeight = tangent / camera.zoom;
   }
   view.halfWidth = view.halfHeight * aspect;
-  const bool hasSize = view.halfWidth > 0 && view.halfHeight > 0 && std::isfinite(view.halfWidth + view.halfHeight);
-  if (!hasSize) failInput("the zoom is beyond what numbers hold", "camera", "1 shows the whole mesh");
+  checkExtent(view);
   return view;
 }
 

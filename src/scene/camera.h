@@ -27,7 +27,9 @@ struct Camera {
 /// finite, unknown key (names the nearest), zoom not positive, field of view not in (0, 180), eye equal to target.
 Camera parseCamera(const std::string& text, Projection projection);
 
-/// The camera in the local frame for a picture of width x height pixels. Throws Error{input} as parseCamera.
+/// The camera in the local frame for a picture of width x height pixels. Throws Error{input} as parseCamera, and for a
+/// perspective eye beyond 1e15 radii of the mesh, a perspective picture wider than 179.99 degrees, and a pixel at the
+/// mesh smaller than 1e-12 or larger than 1e6 radii.
 View makeView(const Camera& camera, const LocalFrame& frame, int width, int height);
 
 /// The camera that makeView used, all parts set: what reports print and scripts pass back.

@@ -39,6 +39,7 @@ struct PreparedScene {
   const PreparedScene* uncut = nullptr;      ///< of which this is what lies before the eye (scene/eye_cut.h)
   std::vector<MeshCut> cuts;                 ///< then, one after the other from that
   Vec3 origin{0};                            ///< then, where its local frame has its origin in that one's
+  glm::dmat3 axes{1};                        ///< then, the axes of its local frame in that one's, as columns
   std::vector<Index> facesInWhole;           ///< then, the number there of each of `faces`; ascending
 
   SceneFacts facts() const;

@@ -50,8 +50,7 @@ class LayersOfRay {
   std::span<const RayLayer> left_;
 };
 
-/// The same where the local frame has been moved to have the view's eye as its origin (viewFromOrigin in
-/// scene/eye_cut.h).
-RayLayers seenFromOrigin(RayLayers layers, const View& view);
+/// The same where the local frame has been moved to have its origin there, on the view's axis (scene/eye_cut.h).
+RayLayers seenFrom(RayLayers layers, const View& view, const Vec3& origin);
 
 }  // namespace havs

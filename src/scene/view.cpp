@@ -6,7 +6,7 @@ namespace havs {
 
 Vec3 View::project(const Vec3& p) const {
   const Vec3 q = p - center;
-  const double along = dot(forward, q);
+  const double along = dot(forward, p - eye);
   const double scale = orthographic ? 1.0 : along;
   const double u = dot(right, q) / (halfWidth * scale);
   const double v = dot(up, q) / (halfHeight * scale);

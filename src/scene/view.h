@@ -13,7 +13,7 @@ struct View {
   int width = 0;
   int height = 0;
   Vec3 eye{0};      ///< perspective only
-  Vec3 center{0};   ///< point of the view plane that the picture's middle shows (orthographic), else the eye
+  Vec3 center{0};   ///< on the axis (what the picture's middle shows): the eye or the target (axisPoint, camera.cpp)
   Vec3 forward{0};  ///< right, up, forward: orthonormal, right-handed as right x up = -forward
   Vec3 right{0};
   Vec3 up{0};

@@ -60,7 +60,7 @@ class EffectsTest : public testing::Test {
     if (!lightPlanOf(drawn.scene).lit || !needsEyeCut(drawn.prepared, drawn.view, how)) return drawn.truth();
     const PreparedScene cut = cutBeforeEye(drawn.prepared, drawn.view, how);
     StageTimes stages;
-    return makeReference(drawn.scene, cut)->draw(viewFromOrigin(drawn.view), stages, {}).image;
+    return makeReference(drawn.scene, cut)->draw(viewOfCut(cut, drawn.view), stages, {}).image;
   }
 
   void expectRight(const Scene& scene, const TetMesh& mesh) {

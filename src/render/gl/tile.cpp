@@ -5,7 +5,8 @@
 namespace havs {
 namespace {
 
-/// The eye lies outside the mesh, depth is not tested: only what is as good as behind the eye is clipped. Local units.
+/// The eye lies outside the mesh, depth is not tested: only what is as good as behind the eye is clipped. Local units,
+/// along the longest ray: a tenth of what is cut off before the eye (scene/eye_cut.h).
 constexpr double kNearPlane = 1e-6;
 
 }  // namespace
@@ -21,7 +22,7 @@ std::vector<Tile> tilesOf(const View& view, const RenderPlan& plan) {
 Mat4 clipMatrix(const View& view, const Tile& tile) {
   const double perspective = view.orthographic ? 0.0 : 1.0;
   // Rows of the whole picture's matrix: u and v as in View, and w.
-  const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -dot(view.forward, view.center)};
+  const Vec4 w{perspective * view.forward, view.orthographic ? 1.0 : -view.depth(view.eye)};
   auto row = [&](const Vec3& axis, double half) { return Vec4{axis / half, -dot(axis, view.center) / half}; };
   const Vec4 u = row(view.right, view.halfWidth), v = row(view.up, view.halfHeight);
   // The tile's middle goes to 0, its half size to 1.
@@ -29,7 +30,7 @@ Mat4 clipMatrix(const View& view, const Tile& tile) {
     const double middle = (2.0 * first + size) / whole - 1.0;
     return (r - middle * w) * (whole / size);
   };
-  const Vec4 z = view.orthographic ? Vec4{0.0} : w - Vec4{0, 0, 0, 2.0 * kNearPlane};
+  const Vec4 z = view.orthographic ? Vec4{0.0} : w - Vec4{0, 0, 0, 2.0 * kNearPlane / view.rayScale(0, 0)};
   return transpose(Mat4{crop(u, tile.x, tile.width, view.width), crop(v, tile.y, tile.height, view.height), z, w});
 }
 
@@ -42,7 +43,7 @@ Vec4 pixelToRay(const View& view, const Tile& tile) {
 Vec4 pixelToBase(const View& view, const Tile& tile) {
   const double eyeX = dot(view.right, view.center), eyeY = dot(view.up, view.center);
   // A perspective ray has gone -depth(eye) units of depth when it meets that plane.
-  const double reach = view.orthographic ? 1.0 : -view.depth(view.center);
+  const double reach = view.orthographic ? 1.0 : -view.depth(view.eye);
   const double sx = 2.0 * view.halfWidth / view.width, sy = 2.0 * view.halfHeight / view.height;
   return {reach * sx, reach * sy, eyeX + reach * (tile.x * sx - view.halfWidth),
           eyeY + reach * (tile.y * sy - view.halfHeight)};

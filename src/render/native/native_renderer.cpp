@@ -59,7 +59,7 @@ class NativeRenderer final : public Renderer {
   Drawing draw(const View& view, StageTimes& stages, const Progress& progress) override {
     mesh_.parallelRays = view.orthographic;
     // Before the eye, and where the mesh is: differences of depths keep their digits also for a distant eye.
-    const double eyeDepth = view.depth(view.center);
+    const double eyeDepth = view.depth(view.eye);
     mesh_.fixedDepth = view.orthographic ? 0 : std::max(0.0, eyeDepth + kLeastDistance);
     mesh_.fixedDistance = view.orthographic ? 1 : mesh_.fixedDepth - eyeDepth;
     mesh_.width = view.width;

@@ -17,15 +17,15 @@ void setRays(const View& view, TileLight& light) {
   const Vec3 perX = (2 * view.halfWidth / view.width) * view.right;
   const Vec3 perY = (-2 * view.halfHeight / view.height) * view.up;
   const Vec3 across = 0.5 * perX - view.halfWidth * view.right + 0.5 * perY + view.halfHeight * view.up;
-  const double depth = view.depth(view.center);
+  const double reach = view.orthographic ? 1.0 : -view.depth(view.eye);
   const Vec3 zero(0.0);
   const Vec3 along = view.orthographic ? view.forward : view.forward + across;
   copy(along, light.along[0]);
   copy(view.orthographic ? zero : perX, light.along[1]);
   copy(view.orthographic ? zero : perY, light.along[2]);
-  copy(view.center + (view.orthographic ? across : zero) - depth * along, light.base[0]);
-  copy(view.orthographic ? perX : -depth * perX, light.base[1]);
-  copy(view.orthographic ? perY : -depth * perY, light.base[2]);
+  copy(view.center - view.depth(view.center) * view.forward + reach * across, light.base[0]);
+  copy(reach * perX, light.base[1]);
+  copy(reach * perY, light.base[2]);
 }
 
 }  // namespace
