@@ -1,6 +1,4 @@
 // What light is refused for: numbers out of range, and modes, methods and lookups whose fragments cannot be lit.
-#include <algorithm>
-
 #include "core/error.h"
 #include "core/vec.h"
 #include "render/effect_parts.h"
