@@ -53,8 +53,14 @@ FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
 // `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left,
 // so that the segment it belongs to has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not
 // full.
+// Late, too, is the exit from a part that should have changed places (exitBeforeEntry) with the nearest entry: the
+// segment before that is drawn already.
 FUNCTION Mask isLateBy(KBuffer kbuffer, PixelState state, Fragment f, Real tolerance) {
-  return (state.started > Real(0.5)) && (f.distance < kbuffer.entry[0].distance - tolerance);
+  Fragment nearest = kbuffer.entry[0];
+  Mask ends = (state.inside > Real(0.5)) && (kindOf(f.payload) < Real(-0.5)) &&
+              (kindOf(nearest.payload) > Real(0.5));
+  Real reach = select(ends, tolerance, -tolerance);
+  return (state.started > Real(0.5)) && (f.distance < nearest.distance + reach);
 }
 
 FUNCTION Mask isLate(KBuffer kbuffer, PixelState state, Fragment f) {

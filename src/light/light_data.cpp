@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "light/ambient_occlusion.h"
 #include "light/ambient_scattering.h"
@@ -64,6 +65,9 @@ Light asLight(const ViewLight& light) {
   return {light.atPlace ? Light::Kind::point : Light::Kind::directional, light.place, light.intensity};
 }
 
+/// Radii of the mesh: squares of distances stay finite in float.
+constexpr double kFarthestLight = 1e18;
+
 ViewLight placed(const SceneLight& light, const LocalFrame& frame, const glm::dmat3& axes, const View& view) {
   ViewLight placed;
   placed.intensity = light.intensity;
@@ -78,6 +82,9 @@ ViewLight placed(const SceneLight& light, const LocalFrame& frame, const glm::dm
     case SceneLight::Kind::point:
       placed.atPlace = true;
       placed.place = frame.toLocal(light.place) * axes;
+      if (!(length(placed.place / kFarthestLight) <= 1))
+        failInput("a light is farther from the mesh than 1e18 of its radii", "lights",
+                  "write point:X,Y,Z in mesh units, or directional:X,Y,Z");
       break;
   }
   return placed;

@@ -1,14 +1,10 @@
 // What light is refused for: numbers out of range, and modes, methods and lookups whose fragments cannot be lit.
-#include <algorithm>
-
 #include "core/error.h"
 #include "core/vec.h"
 #include "render/effect_parts.h"
 
 namespace havs {
 namespace {
-
-constexpr double kFarthestLight = 1e30;  // squares of distances stay finite
 
 constexpr double kMostOfCoefficient = 1e6;
 constexpr int kMostShininess = 1000;
@@ -46,9 +42,8 @@ void checkLights(const Scene& scene) {
   for (const SceneLight& light : scene.lights) {
     checkAtLeastZero(light.intensity, "the intensity of a light");
     if (light.kind == SceneLight::Kind::head) continue;
-    const Vec3 size = abs(light.place);
-    if (!(std::max({size.x, size.y, size.z}) <= kFarthestLight))
-      failInput("the place or direction of a light has a number that is not finite, or beyond 1e30", "lights",
+    if (!isFinite(light.place))
+      failInput("the place or direction of a light has a number that is not finite", "lights",
                 "write point:X,Y,Z in mesh units, or directional:X,Y,Z");
     if (light.kind == SceneLight::Kind::directional && light.place == Vec3(0))
       failInput("a directional light has no direction", "lights", "give it a vector other than 0,0,0");

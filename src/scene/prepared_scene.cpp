@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -149,6 +150,8 @@ PreparedScene prepareScene(const Scene& scene, TetMesh mesh, StageTimes& stages)
   if (!prepareSound(prepared, scene, mesh, sums)) prepareMended(prepared, scene, std::move(mesh), sums);
   sums.time("prepare", [&] {
     prepared.frame = localFrame(prepared.mesh);
+    if (!std::isfinite(prepared.frame.diagonal))
+      failInput("the mesh is larger than the largest double", "", "give its points in a larger unit");
     prepared.points = localPoints(prepared.mesh, prepared.frame);
     prepared.longestEdge = longestEdge(prepared.mesh, prepared.points);
     prepareCurve(prepared, scene);

@@ -1,4 +1,5 @@
 // Light in other units: gradients, lights at places, what comes through the mesh.
+#include "core/error.h"
 #include "hard/like_plain.h"
 #include "render/make_renderer.h"
 
@@ -23,7 +24,6 @@ class LitScale : public LikePlainTest {
     }
   }
 
- private:
   struct Pictures {
     Image native, truth;
   };
@@ -52,17 +52,26 @@ TEST_F(LitScale, Gradients) {
 }
 
 TEST_F(LitScale, LightsAtPlaces) {
-  tell({kGroup, "the way to a light is normalised: its square leaves double at 1e200",
-        "lights go to the mesh's frame in double before any way is made of them"});
+  tell({kGroup, "a light at 1e150 was refused, as if its distance were no number, whatever the mesh's unit",
+        "lights go to the mesh's frame in double before any way is made of them, and are refused only 1e18 of its "
+        "radii away, where squares leave float"});
   Scene scene = plainScene();
   scene.lighting.emplace();
   scene.lights = {{SceneLight::Kind::point, {3, 2, 4}, 0.6}, {SceneLight::Kind::point, {-5, 1, 3}, 0.5}};
   expectLitLikePlain(scene, kUnits);
   expectLitLikePlain(scene, {{.place = Vec3(2e6, -1e6, 3e6)}});
+  scene.lights[0].place = Vec3(1e30, 0, 0);
+  try {
+    draw(scene, plainMesh(3));
+    ADD_FAILURE() << "a light 1e30 of the mesh's radii away is drawn";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_NE(std::string(error.what()).find("farther from the mesh"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(LitScale, DirectionsOfAnyLength) {
-  tell({kGroup, "a light's direction may be 1e-200 long or 1e200",
+  tell({kGroup, "a direction longer than 1e30 was refused, as if its square were taken",
         "directions are divided by their largest component before they are normalised"});
   Scene scene = plainScene();
   scene.lighting.emplace();

@@ -91,6 +91,32 @@ TEST_F(Ties, ExitAndEntryARoundingApartInEveryOrder) {
                  1e-6);
 }
 
+TEST_F(Ties, AnExitThatComesTooLateIsCounted) {
+  tell({kGroup, "where the exit comes when what lies before is drawn already, a distance 1e-7 behind the entry hid it",
+        "it is late, as the certificate says, and what lies behind begins at its own scalar"});
+  using A = Arithmetic<FloatLane, 2>;
+  typename A::KBuffer buffer{{A::emptyFragment(), A::emptyFragment()}};
+  typename A::PixelState state{0, 0};
+  double late = 0;
+  for (const Given& f : {Given{-1, 0.125, 1}, Given{0, 0.75, 1}, Given{0.5, 0.8125, 0}, Given{1e-7, 0.25, -1}}) {
+    const auto fragment =
+        A::makeFragment(static_cast<float>(f.scalar), static_cast<float>(f.distance), static_cast<float>(f.kind));
+    if (A::isLate(buffer, state, fragment)) {
+      ++late;
+      state.inside += A::kindOf(fragment.payload);
+      continue;
+    }
+    typename A::Fragment front;
+    A::insertFragment(buffer, fragment, front);
+    A::leaveBefore(state, front, buffer);
+  }
+  const typename A::Fragment nearest = A::takeNearest(buffer);
+  const auto behind = A::leaveBefore(state, nearest, buffer);
+  expectAtMost("late fragments not counted", 1 - late, 0);
+  expectAtMost("scalar behind the touch", std::abs(double{behind.scalarFront} - 0.75), 0);
+  EXPECT_TRUE(behind.visible);
+}
+
 TEST_F(Ties, ThinLayersStayLayers) {
   tell({kGroup, "a layer thinner than the distance that counts as one place must not be taken for a touch",
         "only within a part does an exit change places with an entry"});
@@ -167,17 +193,38 @@ TEST_F(Ties, TouchingBoxesThatDoNotMatch) {
   expectEveryWay(plainScene(), both);
 }
 
-TEST_F(Ties, ThreeCopiesOfEveryCell) {
+/// The mesh `copies` times at one place, each on points of its own.
+TetMesh copiesOf(const TetMesh& one, int copies) {
+  TetMesh all = one;
+  for (int copy = 1; copy < copies; ++copy) {
+    all = merged(all, one);
+    std::vector<double>& values = all.pointFields.at(0).values;
+    values.insert(values.end(), one.pointFields[0].values.begin(), one.pointFields[0].values.end());
+  }
+  return all;
+}
+
+TEST_F(Ties, ThreeCopiesOfACell) {
   tell({kGroup,
         "cells that lie three times at one place, on points of their own, give three fragments at each distance",
-        "segments between them have no length and the inside-count goes to 3: the picture is that of one copy"});
-  const TetMesh one = plainMesh(3);
-  TetMesh three = merged(merged(one, one), one);
-  std::vector<double>& values = three.pointFields.at(0).values;
-  for (int copy = 0; copy < 2; ++copy)
-    values.insert(values.end(), one.pointFields[0].values.begin(), one.pointFields[0].values.end());
-  const HardPicture single = expectEveryWay(plainScene(), one), triple = expectEveryWay(plainScene(), three);
+        "what lies between them has no length, and the inside-count goes to 3: the picture is that of one copy"});
+  TetMesh one = singleTetrahedron();
+  one.pointFields = {Field{"s", 1, {0.1, 0.4, 0.9, 0.6}}};
+  const HardPicture single = expectEveryWay(plainScene(), one), triple = expectEveryWay(plainScene(), copiesOf(one, 3));
   expectSame("reference, three copies against one", single.truth, triple.truth, 0);
+}
+
+TEST_F(Ties, ThreeCopiesOfAMesh) {
+  tell({kGroup, "an order draws one copy after the other, and k = 6 does not reach from one to the next",
+        "the a-buffer is exact; the k-buffers' certificates say in which pixels they are not"});
+  const TetMesh one = plainMesh(3);
+  HardBounds bounds;
+  bounds.late = ~std::size_t{0};
+  const HardPicture single = expectEveryWay(plainScene(), one),
+                    triple = expectEveryWay(plainScene(), copiesOf(one, 3), bounds);
+  expectSame("reference, three copies against one", single.truth, triple.truth, 0);
+  expectSame("a-buffer, three copies against one", single.by("a-buffer").image, triple.by("a-buffer").image,
+             kSameInAnyUnit);
 }
 
 }  // namespace
