@@ -9,7 +9,7 @@ namespace havs {
 std::size_t parseMemorySize(const std::string& text, const std::string& option);
 
 /// The most that this process may have in memory at once, in bytes: all that the machine has, unless limitMemory said
-/// less. A child process (mesh/isolated.h) may have as much of its own.
+/// less. A child process (core/isolated.h) may have as much of its own.
 std::size_t memoryLimit();
 /// From now on, for the whole process; 0: what the machine has.
 void limitMemory(std::size_t bytes);

@@ -2,12 +2,14 @@
 #include <tinyexr.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
 
 #include "core/error.h"
+#include "core/isolated.h"
 #include "core/memory_budget.h"
 #include "image/formats.h"
 
@@ -135,9 +137,8 @@ void checkChannels(const EXRHeader& header, const fs::path& file) {
   }
 }
 
-}  // namespace
-
-StoredImage readExr(const fs::path& file) {
+/// tinyexr asserts what a broken file does not hold: it is not to end the program.
+StoredImage readHere(const fs::path& file) {
   const auto bytes = bytesOf(file);
   EXRVersion version;
   if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS)
@@ -167,6 +168,25 @@ StoredImage readExr(const fs::path& file) {
   const bool hasOpacity = channelNamed(header, "A") >= 0;
   return {std::move(image), hasOpacity ? ImageContent::rgba : ImageContent::rgb,
           bitsOf(header, channelNamed(header, "G"))};
+}
+
+}  // namespace
+
+StoredImage readExr(const fs::path& file) {
+  IsolatedRun run = runIsolated([&](ByteWriter& reply) {
+    const StoredImage read = readHere(file);
+    reply.put(std::array{read.image.width, read.image.height, read.bits});
+    reply.put(read.content);
+    reply.put(read.image.rgba);
+  });
+  if (!run.death.empty())
+    failInput("broken OpenEXR file: tinyexr breaks down on it (" + run.death + ")", file.string(), "is it cut off?");
+  StoredImage stored;
+  const auto [width, height, bits] = run.reply.get<std::array<int, 3>>();
+  stored.content = run.reply.get<ImageContent>();
+  stored.image = {width, height, run.reply.getVector<float>()};
+  stored.bits = bits;
+  return stored;
 }
 
 }  // namespace havs

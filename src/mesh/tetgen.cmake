@@ -4,7 +4,6 @@ find_library(TETGEN_LIBRARY tet REQUIRED)
 mark_as_advanced(TETGEN_INCLUDE_DIR TETGEN_LIBRARY)
 
 target_sources(havs_mesh PRIVATE
-  isolated.cpp
   tetgen.cpp
   tetgen_binary_file.cpp
   tetgen_off_reader.cpp

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "mesh/isolated.h"
+#include "core/isolated.h"
 
 namespace havs {
 namespace {

@@ -8,20 +8,14 @@
 #include "core/parallel.h"
 #include "fuzz/fuzz.h"
 #include "fuzz/mutate.h"
+#include "fuzz/replay_target.h"
 #include "hard/hard_case.h"
 #include "support/sanitized.h"
 #include "support/temporary_folder.h"
 
-#define HAVS_TEXT(name) HAVS_TEXT_OF(name)
-#define HAVS_TEXT_OF(name) #name
-#define HAVS_CASE(name) TEST_F(Fuzzed, name)
-
 namespace havs::test {
 namespace {
 
-using Fuzzed = HardTest;
-
-constexpr int kMutations = 2000;
 constexpr std::size_t kCutEverywhere = 2048;  ///< bytes of an input
 constexpr unsigned kSecondsUntilHung = 240;   ///< for all; the whole takes one or two
 
@@ -43,14 +37,21 @@ class Inputs {
 
 std::vector<std::filesystem::path> corpus() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(HAVS_FUZZ_CORPUS)) files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(fuzz::replayTarget().corpus))
+    files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }
 
-HAVS_CASE(HAVS_FUZZ_TARGET) {
+class Fuzzed : public HardTest {
+ public:
+  void TestBody() override;
+};
+
+void Fuzzed::TestBody() {
+  const fuzz::ReplayTarget target = fuzz::replayTarget();
   tell({"Hostile input",
-        "readers of " HAVS_TEXT(HAVS_FUZZ_TARGET) " meet counts, numbers and ends of file that no writer writes",
+        std::string("the reader of ") + target.name + " meets counts, numbers and ends that no writer writes",
         "fuzzed by libFuzzer under sanitizers; here its corpus runs, cut at every byte, and mutations of it"});
   const ThreadLimit oneThread(1);
   alarm(kSecondsUntilHung);
@@ -65,14 +66,19 @@ HAVS_CASE(HAVS_FUZZ_TARGET) {
     for (std::size_t end = 0; content.size() <= kCutEverywhere && end < content.size(); ++end)
       inputs.run(content.substr(0, end), "cut at byte " + std::to_string(end));
   fuzz::Random random(1);
-  for (int i = 0; i < kMutations; ++i) inputs.run(fuzz::mutated(contents, random), "mutation " + std::to_string(i));
+  for (int i = 0; i < target.mutations; ++i)
+    inputs.run(fuzz::mutated(contents, random), "mutation " + std::to_string(i));
   alarm(0);
-  EXPECT_GT(inputs.tried, static_cast<std::size_t>(kMutations));
+  EXPECT_GT(inputs.tried, static_cast<std::size_t>(target.mutations));
   expectAtMost("inputs neither read nor refused", static_cast<double>(inputs.wrong), 0);
   if (!kSanitized)
     expectAtMost("memory, MB", static_cast<double>(peakMemoryBytes()) / 1e6,
                  static_cast<double>(fuzz::kMemoryLimit) / 1e6);
 }
+
+/// Named for the target: the name is known at run time only.
+const testing::TestInfo* const kCase = testing::RegisterTest("Fuzzed", fuzz::replayTarget().name, nullptr, nullptr,
+                                                             __FILE__, __LINE__, [] { return new Fuzzed; });
 
 }  // namespace
 }  // namespace havs::test

@@ -153,7 +153,7 @@ TEST_F(HostileMemory, TablesBeyondTheLimit) {
 TEST_F(HostileMemory, AmountsThatAreNone) {
   tell("'8 GB', '-1G' or '1e400G' read as a number and a rest, or wrapped, would be some limit",
        "an amount is a positive number and a unit, below 2^62 bytes");
-  for (const char* amount : {"lots", "", "0", "-1G", "1e400G", "8 GB", "8GiBs", "nan", "99999999T"})
+  for (const char* amount : {"lots", "0", "-1G", "1e400G", "8 GB", "8GiBs", "nan", "99999999T"})
     expectRefused({"info", "cube.node", std::string("--max-memory=") + amount}, "is no amount of memory");
   expectRead({"info", "cube.node", "--quiet", "--max-memory", "0.5g"});
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "mesh/isolated.h"
+#include "core/isolated.h"
 #include "mesh/vtk/grid_blocks.h"
 #include "mesh/vtk/vtk_module.h"
 

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/output_file.h"
 #include "mesh/formats.h"
-#include "mesh/isolated.h"
+#include "core/isolated.h"
 #include "mesh/vtk/grid_wire.h"
 #include "mesh/vtk/module_loader.h"
 #include "mesh/vtk/plot3d_names.h"

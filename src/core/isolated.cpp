@@ -1,4 +1,4 @@
-#include "mesh/isolated.h"
+#include "core/isolated.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -19,7 +19,11 @@
 #include "core/error.h"
 #include "core/memory_budget.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__clang__)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HAVS_SANITIZED 1
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAVS_SANITIZED 1  // their shadow memory is larger than any machine
 #endif
 
