@@ -32,9 +32,10 @@ bool composites(const Scene& scene) { return mode(scene.mode).gathering == Gathe
 /// Whether what is drawn has no error but rounding.
 bool isExact(const Scene& scene) { return scene.lookup == "exact" || !usesLookup(mode(scene.mode)); }
 
-/// "" or the first number that is none of [0, 1]; of composites, a colour above the opacity.
+/// "" or the first number that is none of [0, 1]; of composites, a colour above the opacity. The lookup `integral`
+/// leaves out that a segment attenuates its own light, so its light is bounded by 1 alone (docs/02-method.md).
 std::string notInRange(const Image& image, const Scene& scene) {
-  if (composites(scene)) return notAPicture(image);
+  if (composites(scene) && scene.lookup != "integral") return notAPicture(image);
   for (std::size_t i = 0; i < image.rgba.size(); ++i)
     if (!(image.rgba[i] >= 0 && image.rgba[i] <= 1 + 1e-6f))
       return fmt::format("channel {} of pixel {} is {}", i % 4, i / 4, image.rgba[i]);

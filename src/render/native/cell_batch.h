@@ -172,7 +172,8 @@ struct CellBatch {
       plane.atOrigin[i] = static_cast<float>((inPlane + mz * u_[a][i]) * per);
       plane.perX[i] = static_cast<float>(-scale * mx * per);
       plane.perY[i] = static_cast<float>(-scale * my * per);
-      plane.front[i] = (q > 0) == (behind > 0) ? 1 : 0;
+      plane.front[i] =
+          (safe > 0) == (behind > 0) ? 1 : 0;  // of q = 0 as the function has it, or in and out change places
     }
   }
 
