@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -18,6 +20,7 @@
 #include "scene/knots_in_cells.h"
 #include "scene/visible_part.h"
 #include "transfer/few_pieces.h"
+#include "transfer/resolution.h"
 #include "transfer/transfer_function.h"
 
 namespace havs {
@@ -127,6 +130,25 @@ void prepareMended(PreparedScene& prepared, const Scene& scene, TetMesh mesh, St
   prepared.faces = stages.time("faces", [&] { return buildFaces(prepared.mesh); });
 }
 
+/// Of a function in the data's unit: that float tells apart what it tells apart, but for some steep places.
+void refuseWhatFloatBlurs(const PreparedScene& prepared, const TransferFunction& function) {
+  const std::vector<double>& values = prepared.field.values;
+  const std::size_t blurred = parallelReduce(
+      0, values.size(), 4096, std::size_t{0},
+      [&](std::size_t first, std::size_t last) {
+        return static_cast<std::size_t>(std::count_if(
+            values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last),
+            [&](double value) { return std::isfinite(value) && !holdsInFloat(function, prepared.curve, value); }));
+      },
+      std::plus<>());
+  if (100 * blurred <= values.size()) return;
+  const auto& [low, high] = prepared.curve.domain;
+  failInput(fmt::format("'{}' goes from {:.6g} to {:.6g}: within so wide a domain float does not tell {} of {} values "
+                        "apart as the transfer function does",
+                        prepared.field.name, low, high, blurred, values.size()),
+            "transfer function", "give the part to be seen as --domain, beyond which values are cut off");
+}
+
 void prepareCurve(PreparedScene& prepared, const Scene& scene) {
   const TransferFunction function = transferFunctionOf(scene);
   CurveSetting setting;
@@ -134,6 +156,7 @@ void prepareCurve(PreparedScene& prepared, const Scene& scene) {
   setting.boundingDiagonal = prepared.frame.diagonal;
   setting.radius = prepared.frame.radius;
   prepared.curve = makeCurve(function, setting);
+  if (!function.normalised) refuseWhatFloatBlurs(prepared, function);
   prepared.transferFunction = function.name;
   prepared.meaning = function.meaning;
 }

@@ -31,10 +31,9 @@ ControlPoint between(const ControlPoint& a, const ControlPoint& b, double share)
 /// Steps go lower by what float may be off by in a scalar, also one interpolated over a face: some 2^-24 of itself. So
 /// data that have the very value of a step (labels) are on its upper side on every device, as in double.
 void lowerSteps(Points& points) {
-  constexpr double kMargin = 0x1p-21;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].scalar != points[i - 1].scalar || !(points[i].scalar > 0)) continue;
-    const double lowered = points[i].scalar * (1 - kMargin);
+    const double lowered = points[i].scalar * (1 - kStepMargin);
     points[i].scalar = lowered;
     for (std::size_t j = i; j > 0 && points[j - 1].scalar > lowered; --j) points[j - 1].scalar = lowered;
   }

@@ -1,8 +1,5 @@
 // Scalars that are no numbers: they are holes, the same whatever they are, or refused.
-#include <limits>
-
-#include "hard/every_mode.h"
-#include "support/meshes.h"
+#include "hard/data_scenes.h"
 
 namespace havs::test {
 namespace {
@@ -10,23 +7,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kQuiet = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSignalling = std::numeric_limits<double>::signaling_NaN();
-constexpr int kCells = 4;  ///< of the box along each axis
 
 const std::vector<double>& notNumbers() {
   static const std::vector<double> values{kQuiet, -kQuiet, kSignalling, kInfinity, -kInfinity};
   return values;
-}
-
-Scene dataScene() {
-  Scene scene = hardScene();
-  scene.transferFunction = transferFile(
-      transferOf({{0, 0.2, 0.4, 0.8, 0.5}, {0.5, 0.9, 0.8, 0.2, 2}, {1, 0.9, 0.5, 0.1, 1}}, "extinction", 1, {}));
-  return scene;
-}
-
-TetMesh withPoints(TetMesh mesh, std::vector<double> values) {
-  mesh.pointFields = {Field{"s", 1, std::move(values)}};
-  return mesh;
 }
 
 TetMesh withCells(TetMesh mesh, std::vector<double> values) {
@@ -94,7 +78,7 @@ TEST_F(DataNoNumbers, AtOnePoint) {
   const TetMesh plain = box(kCells);
   const auto middle = [](const Vec3& p) { return p == Vec3{0}; };
   const auto make = [&](double value) { return withPoints(plain, replaced(plain, middle, value)); };
-  expectHoles(dataScene(), make, without(make(0), [&](std::size_t c) { return touches(plain, c, middle); }), 0.5);
+  expectHoles(sceneOver({}), make, without(make(0), [&](std::size_t c) { return touches(plain, c, middle); }), 0.5);
 }
 
 TEST_F(DataNoNumbers, InARegionOfPoints) {
@@ -103,7 +87,7 @@ TEST_F(DataNoNumbers, InARegionOfPoints) {
   const TetMesh plain = box(kCells, Cut::five);
   const auto region = [](const Vec3& p) { return p.x > 0.2 && p.y > -0.3; };
   const auto make = [&](double value) { return withPoints(plain, replaced(plain, region, value)); };
-  expectHoles(dataScene(), make, without(make(0), [&](std::size_t c) { return touches(plain, c, region); }), 0.5);
+  expectHoles(sceneOver({}), make, without(make(0), [&](std::size_t c) { return touches(plain, c, region); }), 0.5);
 }
 
 TEST_F(DataNoNumbers, InCells) {
@@ -123,7 +107,7 @@ TEST_F(DataNoNumbers, InCells) {
   std::vector<double> left;
   for (std::size_t c = 0; c < smooth.size(); ++c)
     if (!gone(c)) left.push_back(smooth[c]);
-  expectHoles(dataScene(), make, withCells(without(plain, gone), left), {});
+  expectHoles(sceneOver({}), make, withCells(without(plain, gone), left), {});
 }
 
 TEST_F(DataNoNumbers, Everywhere) {
@@ -131,8 +115,8 @@ TEST_F(DataNoNumbers, Everywhere) {
         "refused, for points and for cells, naming the field"});
   const TetMesh plain = box(2);
   for (const double value : notNumbers()) {
-    expectRefused(dataScene(), withPoints(plain, constantField(plain.points, value)), "no finite value");
-    expectRefused(dataScene(), withCells(plain, std::vector<double>(plain.tetrahedra.size(), value)),
+    expectRefused(sceneOver({}), withPoints(plain, constantField(plain.points, value)), "no finite value");
+    expectRefused(sceneOver({}), withCells(plain, std::vector<double>(plain.tetrahedra.size(), value)),
                   "no finite value");
   }
 }
@@ -143,7 +127,7 @@ TEST_F(DataNoNumbers, InEveryCellSomewhere) {
   const TetMesh plain = box(2);
   auto values = constantField(plain.points, kQuiet);
   values[0] = 0.5;
-  expectRefused(dataScene(), withPoints(plain, values), "finite in no cell");
+  expectRefused(sceneOver({}), withPoints(plain, values), "finite in no cell");
 }
 
 using DataVectors = EveryModeTest;
@@ -166,11 +150,11 @@ TEST_F(DataVectors, MagnitudeOfComponentsThatAreNoNumbers) {
   std::optional<Image> first;
   for (const auto& bad : {std::array{kQuiet, 0.0, 1.0}, {1.0, kInfinity, kQuiet}, {-kInfinity, 0.0, kInfinity}}) {
     const TetMesh mesh = withVectors(plain, [&](const Vec3& p) { return middle(p) ? bad : smooth(p); });
-    const HardPicture picture = expectEveryWay(dataScene(), mesh);
+    const HardPicture picture = expectEveryWay(sceneOver({}), mesh);
     if (first) expectSame("pictures of different numbers that are none", picture.truth, *first, 0);
     first = picture.truth;
   }
-  Scene scene = dataScene();
+  Scene scene = sceneOver({});
   scene.field = "v:x";
   const TetMesh inY = withVectors(plain, [&](const Vec3& p) {
     auto v = smooth(p);
@@ -190,14 +174,14 @@ TEST_F(DataVectors, MagnitudeBeyondTheLargestDouble) {
     const double big = p == Vec3{0} ? 1.5e308 : 1e300 * (2 + p.x);
     return std::array{big, big, big};
   });
-  const HardPicture picture = expectEveryWay(dataScene(), mesh);
+  const HardPicture picture = expectEveryWay(sceneOver({}), mesh);
   EXPECT_LE(picture.prepared.field.maximum, 6e300);
   const TetMesh plainer = withVectors(plain, [](const Vec3& p) {
     const double size = p == Vec3{0} ? kInfinity : 2 + p.x;
     return std::array{size, size, size};
   });
   // Powers of ten are no powers of two: scalars differ in their last digits.
-  expectSame("against the same of order 1", picture.truth, HardPicture(dataScene(), plainer).truth, 1e-6);
+  expectSame("against the same of order 1", picture.truth, HardPicture(sceneOver({}), plainer).truth, 1e-6);
 }
 
 TEST_F(DataVectors, AnotherFieldIsNoNumber) {
@@ -206,8 +190,8 @@ TEST_F(DataVectors, AnotherFieldIsNoNumber) {
   TetMesh mesh = plain;
   mesh.pointFields.push_back({"other", 1, constantField(mesh.points, kQuiet)});
   mesh.cellFields.push_back({"cells", 1, std::vector<double>(mesh.tetrahedra.size(), kInfinity)});
-  const HardPicture picture = expectEveryWay(dataScene(), mesh);
-  expectSame("against the mesh without it", picture.truth, HardPicture(dataScene(), plain).truth, 0);
+  const HardPicture picture = expectEveryWay(sceneOver({}), mesh);
+  expectSame("against the mesh without it", picture.truth, HardPicture(sceneOver({}), plain).truth, 0);
 }
 
 }  // namespace

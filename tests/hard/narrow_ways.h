@@ -10,6 +10,7 @@
 
 #include "hard/hard_case.h"
 #include "render/devices.h"
+#include "support/meshes.h"
 
 namespace havs::test {
 
@@ -22,6 +23,11 @@ inline std::vector<HardWay> narrowWays(const std::string& sort, const std::vecto
     ways.push_back({"k-buffer" + setting, "k-buffer", "osmesa", "kbuffer", sort, k});
   }
   return ways;
+}
+
+inline TetMesh withSmoothPoints(TetMesh mesh) {
+  mesh.pointFields = {Field{"s", 1, smoothField(mesh.points)}};
+  return mesh;
 }
 
 /// Face order[i] becomes face i, so that the order `none` takes them in that order.

@@ -7,11 +7,6 @@
 namespace havs::test {
 namespace {
 
-TetMesh withSmooth(TetMesh mesh) {
-  mesh.pointFields = {Field{"s", 1, smoothField(mesh.points)}};
-  return mesh;
-}
-
 /// What exact fragments give, pixel by pixel.
 struct ByDefinition {
   std::vector<std::uint32_t> late;
@@ -81,7 +76,7 @@ TEST_F(SmallKCertificate, OfTheNativeDeviceByDefinition) {
   tell({"k too small", "a count made by the k-buffer itself could share its mistakes",
         "it is that of the definition, replayed on exact fragments without a k-buffer, pixel by pixel"});
   for (TetMesh mesh : {box(4, Cut::six, 0.25), stretchedLayers(5, 1.7), nestedShells(1)}) {
-    HardPicture picture(certificateScene(), withSmooth(std::move(mesh)));
+    HardPicture picture(certificateScene(), withSmoothPoints(std::move(mesh)));
     renumberFaces(picture.prepared.faces, randomOrder(picture.prepared.faces.size(), 17));
     for (const HardWay& way : narrowWays("none"))
       if (way.device == kNativeDevice) expectDefinition(way, picture);
@@ -99,7 +94,7 @@ TEST_F(SmallKCertificate, OfBothDevices) {
   scene.camera.viewHeight = 4;  // 16 pixels a unit: corners of the box at whole pixels, then moved along the grid
   scene.camera.target = Vec3(5 / 4096.0, 9 / 4096.0, 0);
   for (const Cut cut : {Cut::five, Cut::six}) {
-    HardPicture picture(scene, withSmooth(box(4, cut)));
+    HardPicture picture(scene, withSmoothPoints(box(4, cut)));
     renumberFaces(picture.prepared.faces, randomOrder(picture.prepared.faces.size(), 19));
     for (const HardWay& way : narrowWays("none", {1, 2, 3, 6})) expectDefinition(way, picture);
   }

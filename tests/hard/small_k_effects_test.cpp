@@ -8,11 +8,6 @@
 namespace havs::test {
 namespace {
 
-TetMesh withSmooth(TetMesh mesh) {
-  mesh.pointFields = {Field{"s", 1, smoothField(mesh.points)}};
-  return mesh;
-}
-
 Scene effectScene() {
   Scene scene = hardScene(48);
   scene.sort = "none";
@@ -68,7 +63,7 @@ TEST_F(SmallKEffects, EveryLookup) {
   scene.tableSize = 16;
   for (const std::string& name : lookupNames()) {
     scene.lookup = name;
-    expectAsWide(scene, withSmooth(box(3)), lookup(name).carries == Payload::scalar ? 14 : 7, {1});
+    expectAsWide(scene, withSmoothPoints(box(3)), lookup(name).carries == Payload::scalar ? 14 : 7, {1});
   }
 }
 
@@ -77,7 +72,7 @@ TEST_F(SmallKEffects, Light) {
         "light is linear along a segment of any length, at most what both ends have"});
   Scene scene = effectScene();
   scene.lighting = Lighting{};
-  expectAsWide(scene, withSmooth(box(3)), 7, {1, 2, 3});
+  expectAsWide(scene, withSmoothPoints(box(3)), 7, {1, 2, 3});
 }
 
 TEST_F(SmallKEffects, Isosurfaces) {
@@ -86,7 +81,7 @@ TEST_F(SmallKEffects, Isosurfaces) {
         "crossings are those of the segment that is drawn, each once; pixels that are not named have them all"});
   Scene scene = effectScene();
   scene.isosurfaces = {{0.35, Color{0.9, 0.1, 0.1}, 0.5}, {0.6, Color{0.1, 0.1, 0.9}, 1}};
-  expectAsWide(scene, withSmooth(box(3)), 14);
+  expectAsWide(scene, withSmoothPoints(box(3)), 14);
 }
 
 TEST_F(SmallKEffects, OpaqueSurfaces) {
@@ -96,7 +91,7 @@ TEST_F(SmallKEffects, OpaqueSurfaces) {
   scene.transferFunction = transferFile(
       transferOf({{0, 0.2, 0.4, 0.8, 0.2}, {0.6, 0.9, 0.8, 0.2, 0.3}, {0.7, 0.9, 0.5, 0.1, 1}, {1, 0.9, 0.5, 0.1, 1}},
                  "per_unit"));
-  expectAsWide(scene, withSmooth(box(3)), 14);
+  expectAsWide(scene, withSmoothPoints(box(3)), 14);
 }
 
 TEST_F(SmallKEffects, CellData) {
@@ -116,7 +111,7 @@ TEST_F(SmallKEffects, TargetsOfHalves) {
         "fragments count as late beyond that rounding; pictures stay in [0, 1], few entries or many"});
   Scene scene = effectScene();
   scene.targetFormat = "16f";
-  const HardPicture picture(scene, withSmooth(box(3)));
+  const HardPicture picture(scene, withSmoothPoints(box(3)));
   for (const HardWay& way : narrowWays("none")) {
     if (way.device == kNativeDevice) continue;
     SCOPED_TRACE(way.name);
@@ -137,7 +132,7 @@ TEST_F(SmallKEffects, EarlyTermination) {
         "its late fragments up to then are counted; a pixel that is not named is right to what light was left"});
   Scene scene = effectScene();
   scene.earlyTermination = 0.6;
-  const HardPicture picture(scene, withSmooth(box(3)));
+  const HardPicture picture(scene, withSmoothPoints(box(3)));
   const auto mask = boundaryEdgeMask(picture.prepared.points, picture.prepared.faces, picture.view);
   for (const HardWay& way : narrowWays("none")) {
     SCOPED_TRACE(way.name);

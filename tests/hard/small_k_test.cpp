@@ -7,11 +7,6 @@
 namespace havs::test {
 namespace {
 
-TetMesh withSmooth(TetMesh mesh) {
-  mesh.pointFields = {Field{"s", 1, smoothField(mesh.points)}};
-  return mesh;
-}
-
 TetMesh withConstant(TetMesh mesh) {
   mesh.pointFields = {Field{"s", 1, constantField(mesh.points, 0.5)}};
   return mesh;
@@ -46,7 +41,7 @@ class SmallK : public HardPictureTest {
 TEST_F(SmallK, FacesAsNumbered) {
   tell({"k too small", "k = 1, 2, 3 and faces in no order: most rays meet fragments that should have been drawn before",
         "late fragments are dropped and counted pixel by pixel; pixels without any are right"});
-  HardPicture picture(smallScene(), withSmooth(box(3, Cut::six, 0.25)));
+  HardPicture picture(smallScene(), withSmoothPoints(box(3, Cut::six, 0.25)));
   expectNamed(picture, narrowWays("none"), 600);
 }
 
@@ -54,7 +49,7 @@ TEST_F(SmallK, CentroidsOfStretchedCells) {
   tell({"k too small",
         "a long cell's centroid says little of where a ray meets it: the paper's order is wrong along a boundary layer",
         "what k = 1, 2, 3 cannot mend is counted; all other pixels are right"});
-  HardPicture picture(smallScene(), withSmooth(stretchedLayers(6, 1.8)));
+  HardPicture picture(smallScene(), withSmoothPoints(stretchedLayers(6, 1.8)));
   expectNamed(picture, narrowWays("centroid"), 1000);
 }
 
@@ -62,7 +57,7 @@ TEST_F(SmallK, RandomOrder) {
   tell({"k too small", "faces shuffled: entries, exits and inner faces come in any order",
         "lengths are cut off at 0, the inside-count takes late kinds too: no colour leaves [0, 1], and pixels not "
         "named are right"});
-  HardPicture picture(smallScene(), withSmooth(box(3)));
+  HardPicture picture(smallScene(), withSmoothPoints(box(3)));
   renumberFaces(picture.prepared.faces, randomOrder(picture.prepared.faces.size(), 7));
   expectNamed(picture, narrowWays("none"), 600);
 }
@@ -70,7 +65,7 @@ TEST_F(SmallK, RandomOrder) {
 TEST_F(SmallK, FarthestFirst) {
   tell({"k too small", "the worst order, far faces first: all but k fragments of a ray are late",
         "as bounded as any: the last k fragments make the picture, the others are counted"});
-  HardPicture picture(smallScene(), withSmooth(box(3)));
+  HardPicture picture(smallScene(), withSmoothPoints(box(3)));
   FaceOrder order;
   sortMethod("topological")
       .make({picture.prepared.points, picture.prepared.mesh.tetrahedra, &picture.prepared.faces})
@@ -88,7 +83,7 @@ TEST_F(SmallK, RingOfCellsThatHideEachOther) {
   Scene scene = smallScene();
   scene.camera.azimuth = 0;
   scene.camera.elevation = 0;
-  HardPicture picture(scene, withSmooth(visibilityCycle()));
+  HardPicture picture(scene, withSmoothPoints(visibilityCycle()));
   expectNamed(picture, narrowWays("topological", {1, 2}), 1000);
   HardBounds bounds;
   bounds.lateElsewhere = 0;
@@ -98,7 +93,7 @@ TEST_F(SmallK, RingOfCellsThatHideEachOther) {
 TEST_F(SmallK, AsManyEntriesAsFaces) {
   tell({"k too small", "how many entries are enough, whatever the order",
         "as many as a ray meets faces: 14 entries need no order at all where rays meet no more"});
-  HardPicture picture(smallScene(), withSmooth(box(1)));
+  HardPicture picture(smallScene(), withSmoothPoints(box(1)));
   renumberFaces(picture.prepared.faces, randomOrder(picture.prepared.faces.size(), 3));
   HardBounds bounds;
   bounds.lateElsewhere = 0;
@@ -115,7 +110,7 @@ TEST_F(SmallK, HundredsOfFacesDeep) {
   scene.camera.azimuth = 5;
   scene.camera.elevation = 4;
   scene.camera.zoom = 2;
-  HardPicture picture(scene, withSmooth(mesh));
+  HardPicture picture(scene, withSmoothPoints(mesh));
   HardBounds ordered;
   ordered.lateElsewhere = 0;
   ordered.native = 2e-5;  // 600 segments, each off by some 2^-24 of its own light
@@ -139,7 +134,7 @@ TEST_F(SmallK, HundredSlabsApart) {
   Scene scene = smallScene(32);
   scene.camera.azimuth = 5;
   scene.camera.elevation = 4;
-  HardPicture picture(scene, withSmooth(mesh));
+  HardPicture picture(scene, withSmoothPoints(mesh));
   renumberFaces(picture.prepared.faces, randomOrder(picture.prepared.faces.size(), 11));
   expectNamed(picture, narrowWays("none"), 100);
 }
@@ -209,7 +204,7 @@ TEST_F(SmallK, MoreEntriesNeverMakeMoreLate) {
   tell({"k too small", "a larger k could push another fragment out of order",
         "a buffer holds the k farthest fragments so far: what is late at k + 1 is late at k, in every pixel"});
   const Scene scene = smallScene(48);
-  const HardPicture picture(scene, withSmooth(stretchedLayers(6, 1.8)));
+  const HardPicture picture(scene, withSmoothPoints(stretchedLayers(6, 1.8)));
   std::size_t grown = 0;
   // OpenGL compiles a program for each k.
   for (const auto& [device, ks] :
