@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kFar = 2;             ///< radii; beyond it, places are relative to the other of eye and target
-constexpr double kFarthestEye = 1e15;  ///< radii: numbers of the order of its square and the picture's are floats
+constexpr double kFarthestEye = 1e15;  ///< radii: products of two such numbers are floats
 /// A pixel at the mesh, in radii. Places are known to 1e-16 of the mesh and of the picture: four digits more than the
 /// smallest pixel, ten more than what the mesh takes of the largest.
 constexpr double kSmallestPixel = 1e-12, kLargestPixel = 1e6;
 /// Half a side of a perspective picture, as a tangent: 179.99 degrees. What is cut off before an eye in the mesh
-/// (scene/eye_cut.h) is 2e-4 radii of the longest ray there.
+/// (scene/eye_cut.h) is 3e-4 radii of the longest ray there.
 constexpr double kWidest = 1e4;
 
 void checkCamera(const Camera& camera) {

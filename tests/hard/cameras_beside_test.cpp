@@ -20,10 +20,9 @@ class CamerasBeside : public CameraCase {
 };
 
 TEST_F(CamerasBeside, ThroughAHole) {
-  tell(
-      {"Cameras", "the eye is in the mesh's box, in none of its cells, and flies through its hole",
-       "whether the eye is in a cell is found out, not guessed from the box; on OpenGL the mesh is cut where it passes "
-       "the eye's plane"});
+  tell({"Cameras", "the eye is in the mesh's box, in none of its cells, and flies through its hole",
+        "whether the eye is in a cell is found out, not guessed from the box; on OpenGL the mesh is cut where it "
+        "passes the eye's plane"});
   const TetMesh mesh = withSmoothField(boxWithHole(6));
   expectIn(mesh, {0.05, -0.02, 0.3}, {0.1, 0.05, -1}, 90);
   expectIn(mesh, {0.05, -0.02, 0.3}, {1, 0.2, -0.1}, 90);
@@ -104,9 +103,10 @@ TEST_F(CamerasBeside, UpParallelToTheView) {
 }
 
 TEST_F(CamerasBeside, UpNearlyParallelToTheView) {
-  tell({"Cameras", "what is left of the cross product after cancelling has few digits, and is no right angle",
-        "it is taken of unit vectors, and what comes out normalised: orthogonal to the last digits whatever its "
-        "length"});
+  tell({"Cameras",
+        "what is left of the cross product after cancelling has few digits: for an up 1e-8 aside, right was off a "
+        "right angle to the view by 1e-9",
+        "what of it lies along the view is taken out of it once more"});
   const TetMesh mesh = withSmoothField(box(3, Cut::six, 0.2));
   for (const double angle : {1e-8, 1e-5}) {
     Scene scene = cameraScene({3, 4, 2}, {0, 0, 0});

@@ -36,12 +36,12 @@ TEST_F(CamerasFar, AMillionRadii) {
 }
 
 TEST_F(CamerasFar, ABillionRadii) {
-  tell(story("9 of their digits are gone; the truth itself was off by 1e-7"));
+  tell(story("9 of their digits are gone; the truth itself was off by 2e-7"));
   expectFrom(1e9);
 }
 
 TEST_F(CamerasFar, ATrillionRadii) {
-  tell(story("12 of their digits are gone; the truth itself was off by 1e-4"));
+  tell(story("12 of their digits are gone; the truth itself was off by 4e-4, OpenGL from it by 2e-4"));
   expectFrom(1e12);
 }
 
@@ -60,7 +60,9 @@ TEST_F(CamerasFar, FartherIsRefused) {
 }
 
 TEST_F(CamerasFar, FieldOfViewJustAboveZero) {
-  tell({"Cameras", "an eye that a tiny field of view puts 1e14 radii away knows places to 0.01 radii in double",
+  tell({"Cameras",
+        "an eye that a tiny field of view puts 1e14 radii away knows places to 0.01 radii in double: the truth itself "
+        "was off by 0.04, OpenGL from it by 0.02",
         "what the picture shows is found from the target, not from the eye"});
   Scene scene = sceneFrom(4);
   scene.camera.eye.reset();

@@ -91,7 +91,8 @@ TEST_F(CamerasInside, NearPlaneThroughTheMesh) {
 }
 
 TEST_F(CamerasInside, SlicesThatMeet) {
-  tell(story("a ray of 180 degrees is seen from one eye in two halves: what the cut takes away is missing twice"));
+  tell(story(
+      "from an eye in a cell a line is seen in two halves, there and back, and both begin in the middle of a segment"));
   const TetMesh mesh = withSmoothField(box(4));
   const Vec3 eye{0.13, 0.21, -0.17}, direction{-1, -0.2, 0.1};
   const Scene there = cameraScene(eye, eye + direction, 1, 9), back = cameraScene(eye, eye - direction, 1, 9);

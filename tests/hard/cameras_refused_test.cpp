@@ -45,7 +45,7 @@ TEST_F(CamerasRefused, EyeAtTheTarget) {
 
 TEST_F(CamerasRefused, FieldsOfViewThatAreNone) {
   tell({"Cameras", "the tangent of 90 degrees is 1.6e16 in double, and of more negative: empty or mirrored pictures",
-        "0 and 180 degrees and beyond are refused, and what is wider than floats can draw"});
+        "0 and 180 degrees and beyond are refused, and what is wider than 179.99"});
   for (const double angle : {0.0, -1.0, 180.0, 360.0, 1e300})
     expectRefusedWith([&](Camera& c) { c.fieldOfView = angle; }, "camera: the field of view must lie between");
   for (const double angle : {179.99, 179.999999999, 180 - 1e-13})
@@ -53,8 +53,10 @@ TEST_F(CamerasRefused, FieldsOfViewThatAreNone) {
 }
 
 TEST_F(CamerasRefused, ZoomsThatShowNothing) {
-  tell({"Cameras", "the height of the view over- or underflows: no picture has been divided by such numbers",
-        "a view is refused where a pixel is smaller than what tells places apart in double, or 1e6 times the mesh"});
+  tell({"Cameras",
+        "the height of the view over- or underflows; and before it does, double tells no places apart: with pixels of "
+        "1e12 radii the truth was off by 2e-5",
+        "a pixel smaller than 1e-12 radii or larger than 1e6 is refused"});
   for (const double zoom : {1e300, 1e30})
     expectRefusedWith([&](Camera& c) { c.zoom = zoom; }, "camera: the picture shows");
   for (const double zoom : {1e-300, 1e-60})
