@@ -200,8 +200,10 @@ void setMethod(Scene& scene, const SceneOptions& options) {
   if (options.compositeLate) scene.compositeLate = true;
   if (options.repeat) scene.repeat = *options.repeat;
   if (options.threads) {
-    if (*options.threads < 0)
-      failInput(fmt::format("{} is no number of threads", *options.threads), "--threads", "0 means all cores");
+    constexpr int kMostThreads = 1024;  // oneTBB starts as many as it is told, each with a stack
+    if (*options.threads < 0 || *options.threads > kMostThreads)
+      failInput(fmt::format("{} is no number of threads from 0 to {}", *options.threads, kMostThreads), "--threads",
+                "0 means all cores");
     scene.threads = static_cast<std::size_t>(*options.threads);
   }
 }

@@ -150,6 +150,17 @@ TEST_F(HostileMemory, TablesBeyondTheLimit) {
                 "drawing needs 2.0 GB of memory, but --max-memory is 500 MB");
 }
 
+TEST_F(HostileMemory, AMillionThreads) {
+  tell(
+      "oneTBB starts as many threads as it is told: with --threads 1000000000 the program was starting them after a "
+      "minute",
+      "1,024 are the most; more is refused before anything is read");
+  expectRefused({"render", "cube.node", "-o", "a.png", "--size", "8x8", "--threads", "1000000000"},
+                "is no number of threads");
+  folder.write("scene.json", R"({"version":1,"mesh":"cube.node","threads":18446744073709551615})");
+  expectRefused({"render", "scene.json", "-o", "a.png", "--size", "8x8"}, "threads");
+}
+
 TEST_F(HostileMemory, AmountsThatAreNone) {
   tell("'8 GB', '-1G' or '1e400G' read as a number and a rest, or wrapped, would be some limit",
        "an amount is a positive number and a unit, below 2^62 bytes");
