@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "transfer/interpolate.h"
+#include "transfer/resolution.h"
 #include "transfer/transfer_files.h"
 
 namespace havs {
@@ -28,8 +29,7 @@ ControlPoint between(const ControlPoint& a, const ControlPoint& b, double share)
   return {shares.mix(a.scalar, b.scalar), shares.mix(a.color, b.color), shares.mix(a.opacity, b.opacity)};
 }
 
-/// Steps go lower by what float may be off by in a scalar, also one interpolated over a face: some 2^-24 of itself. So
-/// data that have the very value of a step (labels) are on its upper side on every device, as in double.
+/// See kStepMargin. Points that a step would pass go with it.
 void lowerSteps(Points& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].scalar != points[i - 1].scalar || !(points[i].scalar > 0)) continue;

@@ -6,9 +6,6 @@
 
 namespace havs {
 
-/// Steps lie lower by this part of their scalar than asked for: data at a step are on its upper side in float, too.
-inline constexpr double kStepMargin = 0x1p-21;
-
 /// A transfer function as it is integrated: colour and extinction, both linear between knots, over the normalised
 /// scalar s of [0, 1], extinction per unit of the local frame.
 struct ExtinctionCurve {
@@ -40,9 +37,9 @@ struct CurveSetting {
   double tolerance = 1e-4;      ///< of the resampled kappa, relative to itself (perUnit between control points)
 };
 
-/// Piecewise-linear kappa; steps go kStepMargin lower. Under perUnit opacity is at most 1 - 2^-24 outside `opaque`.
-/// Throws Error{input}: empty domain by request, unit length not positive, opaque at more than 256 places, more than 2^18
-/// knots.
+/// Piecewise-linear kappa; steps go kStepMargin (resolution.h) lower. Under perUnit opacity is at most 1 - 2^-24
+/// outside `opaque`. Throws Error{input}: empty domain by request, unit length not positive, opaque at more than 256
+/// places, more than 2^18 knots.
 ExtinctionCurve makeCurve(const TransferFunction& function, const CurveSetting& setting);
 
 /// The curve with its opaque intervals bridged by a straight line between what lies on either side: what segments that
