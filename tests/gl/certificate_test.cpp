@@ -265,7 +265,10 @@ bool roundingDecides(const std::vector<CapturedFragment>& drawn, const std::vect
     rounding = std::max(rounding, std::abs(drawn[i].distance - exact[i].distance));
   for (std::size_t j = 0; j < exact.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
-      if (std::abs(exact[j].distance - (exact[i].distance - 1e-6)) <= 2 * rounding) return true;
+      for (const double limit : {-1e-6, 0.0, 1e-6})  // of late, of order, of a touch
+        if ((limit < 0 || exact[i].kind * exact[j].kind < 0) &&
+            std::abs(exact[j].distance - exact[i].distance - limit) <= 2 * rounding)
+          return true;
   return false;
 }
 
@@ -274,20 +277,33 @@ bool sameFragments(const std::vector<CapturedFragment>& drawn, const std::vector
                     [](const CapturedFragment& a, const ExactFragment& b) { return a.kind == b.kind; });
 }
 
+/// By the definition of late: nearer than the nearest of the k farthest so far, or an exit at the place of an entry
+/// that it should have gone before.
 std::uint32_t countLateExactly(const std::vector<ExactFragment>& exact, int k) {
-  std::vector<double> farthest;  // the k farthest so far, near first
+  constexpr double kTolerance = 1e-6;
+  const auto nearer = [](const ExactFragment& a, const ExactFragment& b) { return a.distance < b.distance; };
+  std::vector<ExactFragment> farthest;  // the k farthest so far, near first
   std::uint32_t late = 0;
   std::size_t left = 0;
+  int inside = 0;
   for (const ExactFragment& f : exact) {
     const bool full = farthest.size() == static_cast<std::size_t>(k);
-    if (full && left > 0 && f.distance < farthest.front() - 1e-6) {
-      ++late;
-      continue;
+    if (full && left > 0) {
+      const bool ends = inside > 0 && f.kind < 0 && farthest.front().kind > 0;
+      if (f.distance < farthest.front().distance + (ends ? kTolerance : -kTolerance)) {
+        ++late;
+        inside += f.kind;
+        continue;
+      }
     }
-    farthest.insert(std::upper_bound(farthest.begin(), farthest.end(), f.distance), f.distance);
+    farthest.insert(std::upper_bound(farthest.begin(), farthest.end(), f, nearer), f);
     if (!full) continue;
+    inside += farthest.front().kind;
     farthest.erase(farthest.begin());
     ++left;
+    if (k > 1 && inside > 0 && farthest[0].kind > 0 && farthest[1].kind < 0 &&
+        farthest[1].distance - farthest[0].distance < kTolerance)
+      std::swap(farthest[0].kind, farthest[1].kind);
   }
   return late;
 }
