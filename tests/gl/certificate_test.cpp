@@ -266,7 +266,10 @@ bool roundingDecides(const std::vector<CapturedFragment>& drawn, const std::vect
     rounding = std::max(rounding, std::abs(drawn[i].distance - exact[i].distance));
   for (std::size_t j = 0; j < exact.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
-      if (std::abs(exact[j].distance - (exact[i].distance - 1e-6)) <= 2 * rounding) return true;
+      for (const double limit : {-1e-6, 0.0, 1e-6})  // of late, of order, of a touch
+        if ((limit < 0 || exact[i].kind * exact[j].kind < 0) &&
+            std::abs(exact[j].distance - exact[i].distance - limit) <= 2 * rounding)
+          return true;
   return false;
 }
 

@@ -114,20 +114,30 @@ void FragmentSource::collectFace(Index face, std::size_t tile, std::vector<std::
 }
 
 std::uint32_t countLateByDefinition(std::span<const ExactFragment> fragments, int k) {
-  constexpr double kLateTolerance = 1e-6;
-  std::vector<double> farthest;  // the k farthest so far, near first
+  constexpr double kTolerance = 1e-6;
+  const auto nearer = [](const ExactFragment& a, const ExactFragment& b) { return a.distance < b.distance; };
+  std::vector<ExactFragment> farthest;  // the k farthest so far, near first
   std::uint32_t late = 0;
   std::size_t left = 0;
+  int inside = 0;
   for (const ExactFragment& f : fragments) {
     const bool full = farthest.size() == static_cast<std::size_t>(k);
-    if (full && left > 0 && f.distance < farthest.front() - kLateTolerance) {
-      ++late;
-      continue;
+    if (full && left > 0) {
+      const bool ends = inside > 0 && f.kind < 0 && farthest.front().kind > 0;
+      if (f.distance < farthest.front().distance + (ends ? kTolerance : -kTolerance)) {
+        ++late;
+        inside += f.kind;
+        continue;
+      }
     }
-    farthest.insert(std::upper_bound(farthest.begin(), farthest.end(), f.distance), f.distance);
+    farthest.insert(std::upper_bound(farthest.begin(), farthest.end(), f, nearer), f);
     if (!full) continue;
+    inside += farthest.front().kind;
     farthest.erase(farthest.begin());
     ++left;
+    if (k > 1 && inside > 0 && farthest[0].kind > 0 && farthest[1].kind < 0 &&
+        farthest[1].distance - farthest[0].distance < kTolerance)
+      std::swap(farthest[0].kind, farthest[1].kind);
   }
   return late;
 }

@@ -61,7 +61,8 @@ class FragmentSource {
 };
 
 /// The late fragments of a pixel by their definition (docs/02-method.md, The k-buffer), without a k-buffer: of those
-/// that have come the k farthest are kept; nearer than the nearest of these, once others have gone, is late.
+/// that have come the k farthest are kept; nearer than the nearest of these, once others have gone, is late. So is an
+/// exit at the place of an entry that it should have gone before.
 std::uint32_t countLateByDefinition(std::span<const ExactFragment> fragments, int k);
 
 }  // namespace havs::test
