@@ -16,6 +16,11 @@ SharedLibrary::SharedLibrary(std::span<const char* const> names, const std::stri
     }
     if (reason.empty()) reason = dlerror();
   }
+  // The linker's words where there is no memory (or no more files may be open): nothing is to be installed then.
+  for (const char* sign : {"failed to map", "cannot allocate", "cannot map", "Too many open files"})
+    if (reason.find(sign) != std::string::npos)
+      failRunning("cannot open " + std::string(names.front()) + " (" + reason + ")", "",
+                  "raise the limits (ulimit -v, -n), or try --device native");
   failRunning("cannot open " + std::string(names.front()) + " (" + reason + ")", "", tryThis);
 }
 
