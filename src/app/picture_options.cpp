@@ -10,6 +10,7 @@
 #include "app/scene_views.h"
 #include "core/error.h"
 #include "core/output_file.h"
+#include "core/parallel.h"
 #include "image/image.h"
 
 namespace havs {
@@ -80,6 +81,7 @@ namespace {
 /// All before anything is printed: who reads what is printed may stop to (SIGPIPE).
 void writeFiles(const PictureOptions& options, std::span<const AskedPicture> pictures,
                 std::span<const RenderReport> reports) {
+  const ThreadLimit limit(pictures.front().scene.threads);
   try {
     if (!options.savedScene.empty()) {
       OutputFile file(options.savedScene);

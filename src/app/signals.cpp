@@ -9,10 +9,13 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
 #include <string_view>
 
+#include "app/report_failure.h"
 #include "core/sanitized.h"
 #include "core/stopping.h"
 
@@ -88,6 +91,13 @@ void onCrash(int signal) {
 }
 #endif
 
+/// An exception that nothing can pass on: oneTBB throws, where no thread can be started, through functions that must
+/// not.
+[[noreturn]] void onTerminate() {
+  if (std::current_exception()) _exit(reportFailure());
+  std::abort();
+}
+
 }  // namespace
 
 void keepStandardStreams() {
@@ -111,6 +121,7 @@ void stopOnSignals() {
 }
 
 void tellOfCrashes() {
+  std::set_terminate(onTerminate);
 #ifndef HAVS_SANITIZED
   for (const int crash : kCrashes) {
     struct sigaction action {};

@@ -12,8 +12,9 @@ void keepStandardStreams();
 /// writing. Called before other threads start, as they inherit it.
 void stopOnSignals();
 
-/// From here on a crash is told in one line. Where memory is limited it is memory that a library (OpenGL's driver)
-/// asked for in vain: exit status 1. Else the process ends by the signal, for a debugger. Needs no memory by then.
+/// From here on an exception that nobody catches is told as any other, and a crash in one line. Where memory is limited
+/// it is memory that a library (OpenGL's driver) asked for in vain: exit status 1. Else the process ends by the signal,
+/// for a debugger. Needs no memory by then.
 void tellOfCrashes();
 
 }  // namespace havs

@@ -26,7 +26,7 @@ SharedLibrary::SharedLibrary(std::span<const char* const> names, const std::stri
 
 void* SharedLibrary::symbol(const char* name) const {
   void* address = dlsym(handle_, name);
-  if (!address) failRunning(name_ + " has no function " + name, "", "it may be too old; try another --device");
+  if (!address) failRunning(name_ + " has no function " + name, "", "it may be too old; try another --device (native needs no library)");
   return address;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 // A run that is killed at a chosen system call, so that no moment of writing a file is left to chance.
 #include <fcntl.h>
-#include <linux/ptrace.h>
 #include <sys/ptrace.h>
 #include <sys/syscall.h>
 
@@ -26,29 +25,27 @@ inline bool changesFiles(const __ptrace_syscall_info& call) {
 /// to its end before. The run must have been prepared by traceMe.
 inline bool killAtStep(const StartedRun& run, int step) {
   const pid_t process = run.process();
-  constexpr int kOptions = PTRACE_O_TRACESYSGOOD | PTRACE_O_TRACEEXIT | PTRACE_O_EXITKILL;
-  for (int state = 0, signal = 0; waitpid(process, &state, 0) == process && WIFSTOPPED(state);) {
+  for (int signal = 0;; signal = 0) {
+    siginfo_t end{};  // which is left for run.wait()
+    if (waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WSTOPPED | WNOWAIT) != 0) return false;
+    if (end.si_code == CLD_EXITED || end.si_code == CLD_KILLED || end.si_code == CLD_DUMPED) return false;
+    int state = 0;
+    waitpid(process, &state, 0);
     const int stop = WSTOPSIG(state);
-    if (state >> 8 == (SIGTRAP | PTRACE_EVENT_EXIT << 8)) {
-      ptrace(PTRACE_DETACH, process, nullptr, nullptr);
-      return false;
-    }
     if (stop == (SIGTRAP | 0x80)) {
       __ptrace_syscall_info call{};
-      ptrace(static_cast<__ptrace_request>(PTRACE_GET_SYSCALL_INFO), process, sizeof call, &call);
+      ptrace(PTRACE_GET_SYSCALL_INFO, process, sizeof call, &call);
       if (call.op == PTRACE_SYSCALL_INFO_ENTRY && changesFiles(call) && step-- == 0) {
         run.send(SIGKILL);
         return true;
       }
-    } else if (stop == SIGTRAP) {
-      ptrace(PTRACE_SETOPTIONS, process, nullptr, kOptions);  // it has become havs
+    } else if (stop == SIGTRAP) {  // it has become havs
+      ptrace(PTRACE_SETOPTIONS, process, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
     } else {
       signal = stop;
     }
     ptrace(PTRACE_SYSCALL, process, nullptr, signal);
-    signal = 0;
   }
-  return false;
 }
 
 inline void traceMe() { ptrace(PTRACE_TRACEME, 0, nullptr, nullptr); }

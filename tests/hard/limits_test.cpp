@@ -205,9 +205,13 @@ TEST_F(Limits, TinyDisk) {
         "a message, and nothing of the file; what was written before is whole"});
   const std::filesystem::path disk = folder / "disk";
   std::filesystem::create_directory(disk);
-  // In a namespace of its own, where everybody may mount. The run leaves its files to the test before that goes.
+  // In a namespace of the run's own, where everybody may mount.
   const auto mounted = [&] {
+    const std::string user = std::to_string(getuid()), group = std::to_string(getgid());
     if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) _exit(124);
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << "0 " + user + " 1";
+    std::ofstream("/proc/self/gid_map") << "0 " + group + " 1";
     if (mount("none", disk.c_str(), "tmpfs", 0, "size=64k") != 0) _exit(124);
   };
   int wrong = 0;

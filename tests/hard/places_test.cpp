@@ -178,7 +178,7 @@ TEST_F(Places, LanguageAndTimeZone) {
     return all;
   };
   const std::string usual = outputsOf("C", "UTC");
-  EXPECT_THAT(usual, HasSubstr("0.5"));
+  EXPECT_THAT(usual, HasSubstr("0.75"));
   for (const std::string language : {"de_DE.UTF-8", "fr_FR.UTF-8", "no such language"})
     wrong += outputsOf(language, "Pacific/Kiritimati") != usual;
   expectAtMost("outputs that differ", wrong, 0);

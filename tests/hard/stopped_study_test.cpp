@@ -44,7 +44,7 @@ class StoppedStudy : public TroubleTest {
     if (value.is_object()) {
       for (const char* key : {"created", "command", "machine", "on_front", "fits"}) value.erase(key);
       for (auto entry = value.begin(); entry != value.end();) {
-        if (entry.key().ends_with("_ms") || entry.key().find("peak_memory") != std::string::npos)
+        if (entry.key() == "ms" || entry.key().ends_with("_ms") || entry.key().find("peak_memory") != std::string::npos)
           entry = value.erase(entry);
         else
           ++entry;
