@@ -4,13 +4,13 @@
 
 #include <set>
 
+#include "app/limit_threads.h"
 #include "app/print_json.h"
 #include "app/render_report.h"
 #include "app/scene_file.h"
 #include "app/scene_views.h"
 #include "core/error.h"
 #include "core/output_file.h"
-#include "core/parallel.h"
 #include "image/image.h"
 
 namespace havs {
@@ -60,6 +60,7 @@ std::vector<AskedPicture> askedPictures(const PictureOptions& options) {
   for (const SceneOptions& view : optionsOfViews(options.scene)) pictures.push_back({makeScene(view), options.outputs});
   for (std::size_t i = 0; i < options.scene.views.size() && options.outputs.empty(); ++i)
     pictures[i].outputs = options.scene.views[i].outputs;
+  limitThreads(pictures.front().scene.threads);
   std::set<std::filesystem::path> all;
   for (const AskedPicture& picture : pictures)
     for (const auto& output : picture.outputs) {
@@ -81,7 +82,6 @@ namespace {
 /// All before anything is printed: who reads what is printed may stop to (SIGPIPE).
 void writeFiles(const PictureOptions& options, std::span<const AskedPicture> pictures,
                 std::span<const RenderReport> reports) {
-  const ThreadLimit limit(pictures.front().scene.threads);
   try {
     if (!options.savedScene.empty()) {
       OutputFile file(options.savedScene);

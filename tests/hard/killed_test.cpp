@@ -47,6 +47,7 @@ class Killed : public TroubleTest {
     EXPECT_EQ(run(into(file)).status, 0);
     left.after = static_cast<int>(files().size()) - 1;
     EXPECT_EQ(files()[file], whole);
+    std::filesystem::remove(folder / file);
     return left;
   }
 };
