@@ -1,6 +1,4 @@
 // Signals that ask the program to end, and streams that nobody listens to.
-#include <sys/prctl.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 

@@ -48,6 +48,9 @@ inline bool killAtStep(const StartedRun& run, int step) {
   }
 }
 
-inline void traceMe() { ptrace(PTRACE_TRACEME, 0, nullptr, nullptr); }
+inline void traceMe() {
+  setenv("LSAN_OPTIONS", "detect_leaks=0", 1);  // it traces itself, and a process has one tracer
+  ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+}
 
 }  // namespace havs::test
