@@ -2,11 +2,14 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 #include "core/error.h"
 #include "core/stopping.h"
@@ -70,6 +73,17 @@ int openNameless(const fs::path& folder) {
   return -1;
 }
 
+/// Locks a file just made. EEXIST (and it is closed) where another process took it for a dead one's before: then it has
+/// no name any more, or soon. Where there are no locks, nobody takes it.
+int keepFromOthers(int& file) {
+  struct stat status {};
+  const bool taken = (flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) ||
+                     (fstat(file, &status) == 0 && status.st_nlink == 0);
+  if (!taken) return 0;
+  close(std::exchange(file, -1));
+  return EEXIST;
+}
+
 /// What most often is behind an error of writing.
 const char* adviceOn(int error) {
   switch (error) {
@@ -100,11 +114,12 @@ OutputFile::OutputFile(fs::path path, ErrorKind kind) : path_(std::move(path)) {
   if (descriptor_ < 0) {
     const int error = takeName([this](const fs::path& name) {
       descriptor_ = open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
-      return descriptor_ >= 0 ? 0 : errno;
+      return descriptor_ >= 0 ? keepFromOthers(descriptor_) : errno;
     });
     if (error != 0) failOpening(kind, path_, error);
+  } else {
+    flock(descriptor_, LOCK_EX | LOCK_NB);
   }
-  flock(descriptor_, LOCK_EX | LOCK_NB);  // where there are no locks, nobody will believe that it was left
 }
 
 int OutputFile::takeName(const std::function<int(const fs::path&)>& make) {

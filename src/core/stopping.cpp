@@ -1,5 +1,6 @@
 #include "core/stopping.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 

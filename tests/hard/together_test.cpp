@@ -68,7 +68,7 @@ TEST_F(Together, TwoStudiesInOneFolder) {
   tell({"Trouble while running", "two studies that append to one file measure each other",
         "the file is locked while a study runs; the second is refused and changes nothing"});
   const std::vector<std::string> arguments{"study",          "cube.node", "--out",      "out",      "--size",
-                                           "16x16",          "--axis",    "table=8,16", "--repeat", "400",
+                                           "16x16",          "--axis",    "table=8,16", "--repeat", "5000",
                                            "--combinations", "0",         "--quiet"};
   StartedRun first(arguments, folder.path());
   ASSERT_TRUE(waitUntil(
