@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "app/limit_threads.h"
 #include "app/print_json.h"
 #include "app/render_report.h"
 #include "app/scene_file.h"
@@ -53,10 +54,14 @@ std::vector<AskedPicture> askedPictures(const PictureOptions& options) {
   if (options.pngBits != 8 && options.pngBits != 16)
     failInput(fmt::format("must be 8 or 16, not {}", options.pngBits), "--png-bits");
   if (!options.outputs.empty()) refuseViews(options.scene, "--output");
+  if (!options.savedScene.empty()) {
+    const OutputFile probe(options.savedScene);
+  }
   std::vector<AskedPicture> pictures;
   for (const SceneOptions& view : optionsOfViews(options.scene)) pictures.push_back({makeScene(view), options.outputs});
   for (std::size_t i = 0; i < options.scene.views.size() && options.outputs.empty(); ++i)
     pictures[i].outputs = options.scene.views[i].outputs;
+  limitThreads(pictures.front().scene.threads);
   std::set<std::filesystem::path> all;
   for (const AskedPicture& picture : pictures)
     for (const auto& output : picture.outputs) {
@@ -77,17 +82,33 @@ std::vector<Scene> scenesOf(std::span<const AskedPicture> pictures) {
   return scenes;
 }
 
+namespace {
+
+/// All before anything is printed: who reads what is printed may stop to (SIGPIPE).
+void writeFiles(const PictureOptions& options, std::span<const AskedPicture> pictures,
+                std::span<const RenderReport> reports) {
+  try {
+    if (!options.savedScene.empty()) {
+      OutputFile file(options.savedScene);
+      file.write(sceneFileOf(options.scene, options.outputs, options.savedScene));
+      file.commit();
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+      for (const auto& output : pictures[i].outputs)
+        writeImage(reports[i].image, output, {pictures[i].scene.background, options.pngBits});
+  } catch (const Error& error) {
+    throw Error(ErrorKind::running, error.what());  // the places were checked by askedPictures()
+  }
+}
+
+}  // namespace
+
 void deliver(const PictureOptions& options, std::span<const AskedPicture> pictures,
              std::span<const RenderReport> reports, const MaxErrorReport* error) {
-  if (!options.savedScene.empty()) {
-    OutputFile file(options.savedScene);
-    file.write(sceneFileOf(options.scene, options.outputs, options.savedScene));
-    file.commit();
-  }
+  writeFiles(options, pictures, reports);
   nlohmann::ordered_json views;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const auto& [scene, outputs] = pictures[i];
-    for (const auto& output : outputs) writeImage(reports[i].image, output, {scene.background, options.pngBits});
     if (options.json) {
       nlohmann::ordered_json& json = views.emplace_back(reportAsJson(scene, reports[i], outputs));
       if (error != nullptr) json["max_error"] = errorAsJson(*error);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/limit_threads.h"
 #include "app/scene_file.h"
 #include "app/scene_options.h"
 #include "app/scene_views.h"
@@ -208,6 +209,7 @@ void addStudyCommand(CLI::App& program) {
   addStudyOptions(*command, *options);
   command->callback([options, command] {
     const StudyRequest request = requestOf(*options, *command);
+    limitThreads(request.scenes.front().threads);
     const StudyReport report = runStudy(request, terminalProgress(options->quiet));
     if (hasStudyPage()) rewriteStudyPage(request.folder);
     if (options->json)

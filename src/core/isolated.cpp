@@ -12,20 +12,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <utility>
 
 #include "core/error.h"
 #include "core/memory_budget.h"
-
-#if defined(__clang__)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define HAVS_SANITIZED 1
-#endif
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define HAVS_SANITIZED 1  // their shadow memory is larger than any machine
-#endif
+#include "core/sanitized.h"
 
 namespace havs {
 namespace {
@@ -66,8 +60,11 @@ int memoryFile(const char* name) {
   return file;
 }
 
-void limitChild() {
+/// `parent`: which it must not outlive.
+void limitChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it has died before
+  std::set_terminate(std::abort);
   for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) signal(fault, SIG_DFL);
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
@@ -79,8 +76,8 @@ void limitChild() {
 }
 
 [[noreturn]] void runChild(const std::function<void(ByteWriter&)>& work, int reply, int printed,
-                           const SharedVerdict& verdict) {
-  limitChild();
+                           const SharedVerdict& verdict, pid_t parent) {
+  limitChild(parent);
   dup2(printed, STDOUT_FILENO);
   dup2(printed, STDERR_FILENO);
   std::setvbuf(stdout, nullptr, _IONBF, 0);  // or what was printed before a crash would be lost
@@ -126,9 +123,9 @@ IsolatedRun runIsolated(const std::function<void(ByteWriter&)>& work) {
   ByteReader reply(memoryFile("havs-reply"));
   const ByteReader printed(memoryFile("havs-printed"));
   std::fflush(nullptr);  // or the child would print it again
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) failRunning(std::string("no process can be started: ") + std::strerror(errno));
-  if (child == 0) runChild(work, reply.file(), printed.file(), verdict);
+  if (child == 0) runChild(work, reply.file(), printed.file(), verdict, parent);
   const int status = waitFor(child);
 
   if (verdict->state == Verdict::State::failed) throw Error(verdict->kind, verdict->message);

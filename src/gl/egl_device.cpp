@@ -34,7 +34,7 @@ constexpr EGLint kCore45[] = {
 
 /// libEGL, opened when asked for.
 struct Egl {
-  SharedLibrary library{kLibraryNames, "install libegl1 and libegl-mesa0, or try --device osmesa"};
+  SharedLibrary library{kLibraryNames, "install libegl1 and libegl-mesa0, or try --device osmesa or native"};
   decltype(&eglGetProcAddress) getProcAddress = library.function<decltype(eglGetProcAddress)>("eglGetProcAddress");
   decltype(&eglQueryString) queryString = library.function<decltype(eglQueryString)>("eglQueryString");
   decltype(&eglGetDisplay) getDisplay = library.function<decltype(eglGetDisplay)>("eglGetDisplay");
@@ -133,7 +133,7 @@ class EglDevice : public Device {
     }
     if (!context_) {
       failRunning("EGL gives no OpenGL 4.5 core context without a surface: " + reasons, "--device egl",
-                  "install libegl-mesa0 and libgl1-mesa-dri, or try --device osmesa");
+                  "install libegl-mesa0 and libgl1-mesa-dri, or try --device osmesa or native");
     }
     load(egl_.getProcAddress);
   }

@@ -19,7 +19,7 @@ std::string lastGlfwError() {
 struct GlfwLibrary {
   GlfwLibrary() {
     if (glfwInit() == GLFW_TRUE) return;
-    failRunning("no display (" + lastGlfwError() + ")", "--device glfw", "use --device osmesa or egl");
+    failRunning("no display (" + lastGlfwError() + ")", "--device glfw", "use --device osmesa, egl or native");
   }
   ~GlfwLibrary() { glfwTerminate(); }
   GlfwLibrary(const GlfwLibrary&) = delete;
@@ -35,7 +35,7 @@ GLFWwindow* createHiddenWindow() {
   GLFWwindow* window = glfwCreateWindow(1, 1, "havs", nullptr, nullptr);
   if (!window) {
     failRunning("no window with OpenGL 4.5 core (" + lastGlfwError() + ")", "--device glfw",
-                "use --device osmesa or egl");
+                "use --device osmesa, egl or native");
   }
   return window;
 }

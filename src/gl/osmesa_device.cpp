@@ -2,6 +2,8 @@
 #include <GL/osmesa.h>
 
 #include <array>
+#include <cstdlib>
+#include <string_view>
 #include <type_traits>
 
 #include "core/error.h"
@@ -26,20 +28,29 @@ constexpr int kCore45[] = {
     0};
 // clang-format on
 
+SharedLibrary openOsmesa() {
+  const char* driver = std::getenv("GALLIUM_DRIVER");
+  // Mesa 22 crashes on a name that OSMesa does not know, and of those that it knows only llvmpipe has OpenGL 4.5.
+  if (driver && *driver && std::string_view(driver) != "llvmpipe")
+    failRunning(std::string("OSMesa cannot draw with GALLIUM_DRIVER=") + driver, "--device osmesa",
+                "unset it, or try --device egl or native");
+  return {kLibraryNames, "install libosmesa6, or try --device egl or native"};
+}
+
 class OsmesaDevice : public Device {
  public:
   OsmesaDevice()
-      : library_(kLibraryNames, "install libosmesa6, or try --device egl"),
+      : library_(openOsmesa()),
         context_(
             library_.function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(kCore45, nullptr),
             library_.function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")) {
     if (!context_) {
       failRunning("OSMesa cannot make an OpenGL 4.5 core context", "--device osmesa",
-                  "unset MESA_GL_VERSION_OVERRIDE and GALLIUM_DRIVER, or try --device egl");
+                  "unset MESA_GL_VERSION_OVERRIDE, or try --device egl or native");
     }
     const auto makeCurrent = library_.function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
     if (!makeCurrent(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
-      failRunning("OSMesa cannot make its context current", "--device osmesa", "try --device egl");
+      failRunning("OSMesa cannot make its context current", "--device osmesa", "try --device egl or native");
     }
     load(library_.function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress"));
   }

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include "core/error.h"
+#include "core/library_advice.h"
 
 namespace havs {
 
@@ -16,12 +17,14 @@ SharedLibrary::SharedLibrary(std::span<const char* const> names, const std::stri
     }
     if (reason.empty()) reason = dlerror();
   }
-  failRunning("cannot open " + std::string(names.front()) + " (" + reason + ")", "", tryThis);
+  failRunning("cannot open " + std::string(names.front()) + " (" + reason + ")", "", libraryAdvice(reason, tryThis));
 }
 
 void* SharedLibrary::symbol(const char* name) const {
   void* address = dlsym(handle_, name);
-  if (!address) failRunning(name_ + " has no function " + name, "", "it may be too old; try another --device");
+  if (!address)
+    failRunning(name_ + " has no function " + name, "",
+                "it may be too old; try another --device (native needs no library)");
   return address;
 }
 

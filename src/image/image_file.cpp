@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cstring>
 
 #include "core/error.h"
 #include "core/memory_budget.h"
@@ -68,8 +67,7 @@ void writeImage(const Image& image, const fs::path& file, const ImageFileOptions
   if (options.pngBits != 8 && options.pngBits != 16)
     failInput(fmt::format("PNG has 8 or 16 bits a channel, not {}", options.pngBits), file.string());
   OutputFile output(file);
-  if (!format.write(image, output.temporary(), options))
-    failRunning(fmt::format("writing failed: {}", std::strerror(errno)), file.string(), "is the disk full?");
+  if (!format.write(image, output.temporary(), options)) output.failWriting(errno);
   output.commit();
 }
 

@@ -263,7 +263,7 @@ void checkCairo(cairo_status_t status, const fs::path& file) {
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
 void writeSvg(const std::vector<FrontPanel>& panels, const fs::path& file) {
-  OutputFile output(file);
+  OutputFile output(file, ErrorKind::running);
   const Surface surface(cairo_svg_surface_create(output.temporary().c_str(), kWidth, heightOf(panels)),
                         cairo_surface_destroy);
   drawPanels(surface.get(), panels);
@@ -273,7 +273,7 @@ void writeSvg(const std::vector<FrontPanel>& panels, const fs::path& file) {
 }
 
 void writePng(const std::vector<FrontPanel>& panels, const fs::path& file) {
-  OutputFile output(file);
+  OutputFile output(file, ErrorKind::running);
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kPngScale * kWidth),
                                                    static_cast<int>(kPngScale * heightOf(panels))),
                         cairo_surface_destroy);

@@ -80,7 +80,7 @@ StudyPage writeStudyPage(const Json& study, const fs::path& folder, std::uintmax
   std::string html(shell.substr(0, place));
   html += dataOf(study, pictures);
   html += shell.substr(place + kPageData.size());
-  OutputFile page(folder / "report.html");
+  OutputFile page(folder / "report.html", ErrorKind::running);
   page.write(html);
   writeFrontFigures(study, folder);
   page.commit();

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/stopping.h"
 #include "study/records_json.h"
 #include "transfer/json_text.h"
 
@@ -120,6 +121,8 @@ StudyStore::StudyStore(const fs::path& folder, const StudyIdentity& identity, bo
     const std::size_t whole = restart ? 0 : readLines(content, file_, identity, records_);
     if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0) failOpening(file_);
     if (whole == 0) begin(identity);
+    makeFolder(folder / "images");
+    tellKept();
   } catch (...) {
     close(descriptor_);
     throw;
@@ -131,6 +134,11 @@ StudyStore::~StudyStore() { close(descriptor_); }
 void StudyStore::begin(const StudyIdentity& identity) {
   records_.created = nowUtc();
   append(textOf({{"study", {{"version", 1}, {"created", records_.created}, {"identity", identity}}}}));
+}
+
+void StudyStore::tellKept() const {
+  noteKept(fmt::format("{} drawings are kept in {}: the same command (without --restart) goes on from there",
+                       records_.visits.size(), file_.string()));
 }
 
 void StudyStore::append(const std::string& line) {
@@ -166,6 +174,7 @@ void StudyStore::addIfNew(const ReferenceRecord& record) {
 void StudyStore::add(const VisitRecord& record) {
   records_.visits.push_back(record);
   append(textOf({{"visit", toJson(record)}}));
+  tellKept();
 }
 
 void StudyStore::add(const DeviceRecord& record) {

@@ -24,9 +24,9 @@ using StudyIdentity = std::map<std::string, std::string>;
 /// loses at most what was being measured. Held by one process at a time.
 class StudyStore {
  public:
-  /// Makes the folder where it is not there, opens the file and reads what it holds; a last line that is not whole is
-  /// dropped. `restart`: begins anew. Throws Error{input}: the folder cannot be written, another process holds it, its
-  /// study has another identity (says in what), a line that is damaged.
+  /// Makes the folder, and images/ in it, where they are not there, opens the file and reads what it holds; a last line
+  /// that is not whole is dropped. `restart`: begins anew. Throws Error{input}: the folder cannot be written, another
+  /// process holds it, its study has another identity (says in what), a line that is damaged.
   StudyStore(const std::filesystem::path& folder, const StudyIdentity& identity, bool restart);
   ~StudyStore();
   StudyStore(const StudyStore&) = delete;
@@ -45,6 +45,8 @@ class StudyStore {
  private:
   void begin(const StudyIdentity& identity);
   void append(const std::string& line);
+  /// To who interrupts the study.
+  void tellKept() const;
 
   std::filesystem::path file_;
   int descriptor_ = -1;

@@ -114,7 +114,7 @@ class Study {
 
  private:
   void writeWhole(const char* name, const std::string& text) {
-    OutputFile file(request_.folder / name);
+    OutputFile file(request_.folder / name, ErrorKind::running);
     file.write(text);
     file.commit();
   }
@@ -201,7 +201,6 @@ StudyReport runStudy(const StudyRequest& request, const Progress& progress) {
   PreparedScene prepared = prepareScene(request.scenes.front(), stages);
   viewOf(request.scenes.front(), prepared);
   StudyStore store(request.folder, identity, request.restart);
-  fs::create_directories(request.folder / "images");
   const RenderDevice device = openRenderDevice(request.scenes.front().device, request.scenes.front().threads);
   Study study(request, progress, store, device);
   for (std::size_t i = 0; i < request.scenes.size(); ++i) {

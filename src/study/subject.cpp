@@ -201,6 +201,8 @@ VisitRecord Subject::visit(const PlannedRun& run, int round, bool withQuality) {
       quality.certificate = certificateOf(run.scene);
     }
     if (made.renderer) pool_.offer(run.id, std::move(made.renderer), bytesOf(made.plan, prepared_), made.makeMs);
+  } catch (const std::bad_alloc&) {
+    return {.run = run.id, .round = round, .failed = "out of memory"};
   } catch (const std::exception& error) {
     return {.run = run.id, .round = round, .failed = error.what()};
   }
@@ -208,8 +210,12 @@ VisitRecord Subject::visit(const PlannedRun& run, int round, bool withQuality) {
     const std::string name = "images/" + fileNameOf(run.id);
     record.quality->image = name + ".png";
     record.quality->difference = name + "-difference.png";
-    writeImage(image, folder_ / record.quality->image, {run.scene.background, 8});
-    writeImage(difference, folder_ / record.quality->difference);
+    try {
+      writeImage(image, folder_ / record.quality->image, {run.scene.background, 8});
+      writeImage(difference, folder_ / record.quality->difference);
+    } catch (const Error& error) {
+      throw Error(ErrorKind::running, error.what());  // the folder was there when the study began
+    }
   }
   return record;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/library_advice.h"
 
 namespace havs {
 namespace fs = std::filesystem;
@@ -29,7 +30,7 @@ void* openModule() {
     problems += (problems.empty() ? "" : "; ") + std::string(dlerror());
   }
   failRunning("the module that reads VTK's formats cannot be opened (" + problems + ")", "",
-              "set HAVS_MODULES to the folder of libhavs_vtk.so");
+              libraryAdvice(problems, "set HAVS_MODULES to the folder of libhavs_vtk.so"));
 }
 
 }  // namespace
