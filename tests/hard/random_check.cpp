@@ -207,12 +207,9 @@ std::string CaseChecker::judgeFewerCells(const RandomCase& c, const HardPicture&
 std::string CaseChecker::drawn(const RandomCase& c, const HardWay* openGl) {
   Scene scene = sceneOf(c, folder_.path());
   scene.certificate = composites(scene);
-  StageTimes stages;
-  HardPicture picture{scene, prepareScene(scene, c.mesh, stages), {}, {}, {}};
-  picture.view = makeView(scene.camera, picture.prepared.frame, scene.width, scene.height);
+  const HardPicture picture(scene, c.mesh);
   const HardWay native{"native", "native", "native", "kbuffer", scene.sort, scene.k};
   const havs::Drawing drawing = drawIn(native, scene, picture.prepared, picture.view);
-  picture.truth = makeReference(scene, picture.prepared)->draw(picture.view, stages).image;
   if (const std::string wrong = notInRange(picture.truth, scene); !wrong.empty())
     return "reference out of range: " + wrong;
   std::string failure = judgeNative(picture, drawing, c.overlaps);

@@ -107,7 +107,7 @@ TEST_F(Ties, AnExitThatComesTooLateIsCounted) {
       continue;
     }
     typename A::Fragment front;
-    A::insertFragment(buffer, fragment, front);
+    A::insertFragment(buffer, fragment, 0, front);
     A::leaveBefore(state, front, buffer);
   }
   const typename A::Fragment nearest = A::takeNearest(buffer);
