@@ -92,9 +92,10 @@ Json viewsSchema() {
 
 std::vector<SceneOptions> optionsOfViews(const SceneOptions& options) {
   std::vector<SceneOptions> all;
+  SceneOptions shared = options;
+  shared.views = {};  // before it is copied for each of them
   for (const ViewOptions& view : options.views) {
-    SceneOptions& one = all.emplace_back(options);
-    one.views.clear();
+    SceneOptions& one = all.emplace_back(shared);
     if (view.camera) one.camera = view.camera;
     if (view.projection) one.projection = view.projection;
   }

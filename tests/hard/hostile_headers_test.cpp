@@ -44,7 +44,7 @@ TEST_F(HostileHeaders, TrillionPointsInAFewLines) {
        "a count is held against the bytes that the rest of the file has before memory is taken");
   writeTetgenMesh(folder, "points", "1000000000000 3 0 0\n0 0 0 0\n", kCubeEle);
   writeTetgenMesh(folder, "cells", kCubeNode, "1000000000000 4 0\n0 0 1 2 3\n");
-  folder.write("mesh.inp", "4 1000000000000 0 0 0\n1 0 0 0\n");
+  folder.write("mesh.inp", "1 1000000000000 0 0 0\n1 0 0 0\n");
   expectRefused({"info", "points.node"}, "points.node:1: 1000000000000 points are promised");
   expectRefused({"info", "cells.ele"}, "cells.ele:1: 1000000000000 tetrahedra are promised");
   expectRefused({"info", "mesh.inp"}, "mesh.inp:1: 1000000000000 cells are promised");
