@@ -200,7 +200,7 @@ TEST_F(HostileMemory, MeshesThatReadingLeavesNoRoomFor) {
   limitMemory(0);
   resetPeak();
   const std::size_t before = residentBytes();
-  prepareScene(hardScene(), mesh, stages);
+  prepareScene(hardScene(), std::move(mesh), stages);
   if (!kSanitized)
     expectAtMost("memory taken, of what is foreseen", static_cast<double>(peakResidentBytes() - before) / needed, 1);
   expectAtMost("scenes made ready beyond the limit", why.empty() ? 1 : 0, 0);

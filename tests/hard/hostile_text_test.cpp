@@ -87,7 +87,7 @@ TEST_F(HostileText, XmlAMillionDeep) {
   expectRefused({"render", "cube.node", "--tf", "map.xml", "-o", "a.png"}, "map.xml", 250);
 #if HAVS_WITH_VTK
   folder.write("mesh.vtu", nested("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">", "<a>", "</a>", "</VTKFile>"));
-  expectRefused({"info", "mesh.vtu", "--max-memory", "1G"}, "mesh.vtu", 1200);
+  expectRefused({"info", "mesh.vtu", "--max-memory", "300M"}, "mesh.vtu", 400);
 #endif
 }
 
