@@ -16,6 +16,10 @@ layout(location = 0) out vec4 colorTarget;
 uniform float terminalOpacity;
 #endif
 
+// What a pixel shows whose list the loops did not come to the end of: llvmpipe ends all loops of a shader after 65,535
+// turns together, without a word.
+const float kCutShort = -1.0;
+
 void main() {
   int pixel = pixelOfTile();
   int first = pixel == 0 ? 0 : int(ends[pixel - 1]);
@@ -23,11 +27,13 @@ void main() {
   Rgba color = Rgba(0.0);
   uvec2 layers = layersOfPixel();
   float reached = kEmptyDistance;
+  bool whole = true;
   if (count > 1) {
     PixelState state = PixelState(0.0, 0.0);
     Merge list = sortList(first, count);
     Fragment front = fragmentOf(takeNext(list)), back = fragmentOf(takeNext(list));
-    for (int i = 1; i < count; ++i) {
+    int i = 1;
+    for (; i < count; ++i) {
       Fragment beyond = fragmentOf(takeNext(list));  // of no kind behind the last
       exitBeforeEntry(back, beyond, state.inside + kindOf(front.payload));
       Segment segment = leave(state, front, back);
@@ -36,9 +42,13 @@ void main() {
       front = back;
       back = beyond;
 #ifdef HAVS_EARLY_TERMINATION
-      if (color.a >= terminalOpacity) break;
+      if (color.a >= terminalOpacity) {
+        i = count;
+        break;
+      }
 #endif
     }
+    whole = i >= count;
   }
 #ifdef HAVS_LAYERS
   bool ended = false;
@@ -47,5 +57,5 @@ void main() {
 #endif
   if (!ended) color = compositeRest(layers, color, reached);
 #endif
-  colorTarget = color;
+  colorTarget = whole ? color : vec4(kCutShort);
 }

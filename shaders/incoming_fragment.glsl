@@ -26,7 +26,7 @@ uniform int firstFace;  // of the batch
 
 // Scalars that are the same at all corners of a face come out of the interpolation some roundings off, which would take
 // them to the other side of a step there.
-const float kInterpolation = 5.0e-7;
+const float kInterpolation = 5.0e-7;  // of the scalar
 
 float incomingScalar() {
 #ifdef HAVS_COLOR_PAYLOAD
@@ -35,7 +35,7 @@ float incomingScalar() {
   vec2 sides = faceScalars[faceOrder[firstFace + gl_PrimitiveID]];
   return gl_FrontFacing ? sides.x : sides.y;
 #else
-  return abs(scalar - cornerScalar) < kInterpolation ? cornerScalar : clamp(scalar, 0.0, 1.0);
+  return abs(scalar - cornerScalar) <= kInterpolation * cornerScalar ? cornerScalar : clamp(scalar, 0.0, 1.0);
 #endif
 }
 

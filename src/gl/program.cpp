@@ -37,7 +37,11 @@ ShaderHandle compile(const std::string& label, const Program::Stage& stage) {
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
   if (!compiled) {
-    failRunning("shader does not compile: " + explainLog(shaderLog(shader.id()), stage.source), label);
+    const std::string log = shaderLog(shader.id());
+    if (log.empty())  // a driver without memory
+      failRunning("shader does not compile, and the driver does not say why", label,
+                  "raise the limit of memory (ulimit -v), or try --device native");
+    failRunning("shader does not compile: " + explainLog(log, stage.source), label);
   }
   return shader;
 }

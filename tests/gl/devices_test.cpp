@@ -125,7 +125,7 @@ TEST(Devices, GlfwWithoutADisplaySaysWhatToUse) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::running);
     EXPECT_THAT(error.what(), HasSubstr("no display"));
-    EXPECT_THAT(error.what(), HasSubstr("--device osmesa or egl"));
+    EXPECT_THAT(error.what(), HasSubstr("--device osmesa, egl or native"));
   }
 }
 

@@ -59,7 +59,7 @@ TEST_F(Accumulation, EarlyTerminationOfThinLayers) {
   Scene scene = columnScene();
   scene.certificate = false;
   scene.transferFunction = transferFile(transferOf({{0, 1, 1, 1, 10}, {1, 1, 0.3, 0.6, 10}}));
-  expectBounded(scene, layeredColumn(2000));
+  expectBounded(scene, layeredColumn(800));
 }
 
 TEST_F(Accumulation, EarlyTerminationBeforeAnOpaqueSurface) {

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_havs.h"
+#include "core/error.h"
 #include "hard/layered_column.h"
 #include "mesh/read.h"
 #include "reference/reference_renderer.h"
 #include "render/devices.h"
+#include "render/make_renderer.h"
 
 namespace havs::test {
 namespace {
@@ -31,19 +33,54 @@ Column columnOf(const Scene& scene, int layers) {
   return column;
 }
 
+/// Of a ray through `layers` prisms: each of its segments rounds the sum by half a step of float at most.
+double boundOfSum(int layers) { return 3 * layers * 0x1p-25; }
+
 TEST_F(Accumulation, HundredThousandThinLayers) {
   tell({"Accumulation",
         "a layer of optical depth 1e-5 as 1 - exp(-x) has lost five digits in float, and 1e5 of them in a row add up "
         "what each has lost",
-        "layers have the relative accuracy of their own depth; what is left is the rounding of the sum"});
-  const Scene scene = columnScene();
-  const HardPicture picture = expectEveryWay(scene, layeredColumn(kLayers));
-  expectAtMost("reference to closed form", offFromColumn(picture.truth, picture.view), 1e-7);
-  for (const HardDrawing& one : picture.drawings)
-    expectAtMost(one.way.group + " to closed form", offFromColumn(one.drawing.image, picture.view),
-                 one.way.group == "native" ? 1e-5 : 2e-5);
-  const havs::Drawing cells = drawIn(kCells, scene, picture.prepared, picture.view);
-  expectAtMost("cells to closed form", offFromColumn(cells.image, picture.view), 2e-5);
+        "layers have the relative accuracy of their own depth; what is left is the rounding of the sum, 300,000 times "
+        "half a step of float at most"});
+  Scene scene = columnScene();
+  scene.certificate = false;
+  for (const int layers : {1000, kLayers}) {
+    const Column column = columnOf(scene, layers);
+    StageTimes stages;
+    const Image truth = makeReference(scene, column.prepared)->draw(column.view, stages).image;
+    expectAtMost(fmt::format("reference to closed form, {} layers", layers), offFromColumn(truth, column.view), 1e-7);
+    for (const HardWay* way : {&kNative, &kKBuffer, &kCells}) {
+      const Image image = drawIn(*way, scene, column.prepared, column.view).image;
+      EXPECT_EQ(notAPicture(image), "");
+      expectAtMost(fmt::format("{}, {} layers", way->name, layers), offFromColumn(image, column.view),
+                   boundOfSum(layers));
+    }
+  }
+}
+
+TEST_F(Accumulation, ListsLongerThanTheDriversLoops) {
+  tell({"Accumulation",
+        "before this case the a-buffer drew nothing of a pixel with 6,000 fragments, and part of one with 3,000: "
+        "llvmpipe "
+        "ends all loops of a shader after 65,535 turns together, without a word",
+        "a list that was not gone through to its end is told, with what to try; shorter ones are exact"});
+  Scene scene = columnScene();
+  scene.certificate = false;
+  const HardWay abuffer{"a-buffer", "a-buffer", "osmesa", "abuffer", "topological", 6};
+  const Column few = columnOf(scene, 800);
+  expectAtMost("a-buffer, 800 layers", offFromColumn(drawIn(abuffer, scene, few.prepared, few.view).image, few.view),
+               boundOfSum(800));
+  double silent = 0;
+  for (const int layers : {1000, 2000, 40000}) {
+    const Column many = columnOf(scene, layers);
+    try {
+      const Image image = drawIn(abuffer, scene, many.prepared, many.view).image;
+      if (!(offFromColumn(image, many.view) <= boundOfSum(layers))) ++silent;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("--visibility kbuffer"), std::string::npos) << error.what();
+    }
+  }
+  expectAtMost("wrong pictures without a word", silent, 0);
 }
 
 TEST_F(Accumulation, ThinLayersInHalfFloats) {
@@ -59,16 +96,16 @@ TEST_F(Accumulation, ThinLayersInHalfFloats) {
     const double whole = offFromColumn(drawIn(kKBuffer, scene, column.prepared, column.view).image, column.view);
     scene.targetFormat = "16f";
     const double half = offFromColumn(drawIn(kKBuffer, scene, column.prepared, column.view).image, column.view);
-    expectAtMost(fmt::format("32f, {} layers", layers), whole, 2e-5);
+    expectAtMost(fmt::format("32f, {} layers", layers), whole, boundOfSum(layers));
     expectAtMost(fmt::format("16f, {} layers (lost: what is reported)", layers), half, 1);
-    EXPECT_GE(half, 100 * whole);
+    EXPECT_GE(half, 10 * whole);
   }
 }
 
 TEST_F(Accumulation, ThinLayersInTablesOfFewBits) {
   tell({"Accumulation",
-        "a table of 8 bits has no opacity between 0 and 1/255: a hundred thousand layers of 1e-5 show nothing or far "
-        "too much",
+        "in 8 bits the opacity of the shortest length of a table is off by a part of itself, and so is that of each of "
+        "ten thousand layers",
         "`3d-normalised` keeps opacity out of the table, and `2d` as an extinction; what `3d` loses is measured"});
   Scene scene = columnScene();
   scene.certificate = false;
@@ -84,7 +121,7 @@ TEST_F(Accumulation, ThinLayersInTablesOfFewBits) {
       const double few = offFromColumn(drawIn(kNative, scene, column.prepared, column.view).image, column.view);
       if (lookup == "3d") {
         expectAtMost("3d, " + format + " (lost: what is reported)", few, 1);
-        if (format == "rgba8") EXPECT_GE(few, 0.1);
+        if (format == "rgba8") EXPECT_GE(few, halfStep);
       } else {
         expectAtMost(lookup + ", " + format + ", more than with rgba32f", few - whole, halfStep + 1e-5);
       }
@@ -121,7 +158,7 @@ TEST_F(Accumulation, TheStudyShowsWhatFewBitsLose) {
   expectAtMost("16f, as the study states", errors.at("column-0/target-format=16f"), 1);
   expectAtMost("3d in rgba8, as the study states", errors.at("column-0/table-format=rgba8"), 1);
   EXPECT_GE(errors.at("column-0/target-format=16f"), 0.001);
-  EXPECT_GE(errors.at("column-0/table-format=rgba8"), 0.1);
+  EXPECT_GE(errors.at("column-0/table-format=rgba8"), 0.5 / 255);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "transfer/resolution.h"
 #include "unit/gauss_kronrod.h"
 
 namespace havs::test {
@@ -19,12 +20,16 @@ inline double distance(const SegmentRgba& a, const SegmentRgba& b) {
   return most;
 }
 
-/// Control points {scalar, r, g, b, opacity}, ascending, as transferOf() takes them.
+/// Control points {scalar, r, g, b, opacity}, ascending, as transferOf() takes them. Steps lie kStepMargin lower
+/// (transfer/resolution.h).
 class SegmentTruth {
  public:
   using Points = std::vector<std::array<double, 5>>;
   SegmentTruth(Points points, bool perUnit, double unitLength = 1)
-      : points_(std::move(points)), perUnit_(perUnit), unitLength_(unitLength) {}
+      : points_(std::move(points)), perUnit_(perUnit), unitLength_(unitLength) {
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      if (points_[i][0] == points_[i - 1][0]) points_[i][0] = points_[i - 1][0] *= 1 - kStepMargin;
+  }
 
   /// The segment on which the scalar goes from `from` to `to` in `length`, in the unit of the unit length.
   SegmentRgba along(double from, double to, double length) const {

@@ -13,6 +13,7 @@ namespace {
 struct Case {
   std::string name;
   TetMesh (*make)();
+  bool touches = false;  ///< two parts, everywhere along a plane
 };
 inline void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 
@@ -20,7 +21,7 @@ inline void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 std::vector<Case> cases() {
   return {{"JitteredBox", [] { return withSmoothPoints(box(5, Cut::six, 0.25)); }},
           {"StretchedLayers", [] { return withSmoothPoints(stretchedLayers(8, 1.8)); }},
-          {"TouchingBoxes", [] { return withSmoothPoints(twoBoxes(3, 0.0)); }},
+          {"TouchingBoxes", [] { return withSmoothPoints(twoBoxes(3, 0.0)); }, true},
           {"NestedShells", [] { return withSmoothPoints(nestedShells(2)); }},
           {"VisibilityCycle", [] { return withSmoothPoints(visibilityCycle()); }}};
 }
@@ -59,7 +60,9 @@ class NativeCertificate : public testing::TestWithParam<Case> {};
 /// Coverage is exact in both, so that the same fragments come. Distances, of order 1, are off by some 2^-24 in float:
 /// a fragment counts as late or not by chance where it is within a few 1e-7 of the tolerance, 1e-6. On these meshes,
 /// whose cells are a tenth across, that is at most one late fragment of a thousand, or some where the order is right
-/// but for ties.
+/// but for ties. As many again are exits at the place of an entry: which of the two is nearer, and so whether the exit
+/// is late, is chance where the mesh is thin, and at every pixel where parts touch, of which a few of a thousand
+/// differ.
 TEST_P(NativeCertificate, CountsWhatAReplayCounts) {
   Scene scene = smallScene();
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
@@ -74,7 +77,8 @@ TEST_P(NativeCertificate, CountsWhatAReplayCounts) {
         const Certificate certificate = *drawn.drawAs(asked).certificate;
         const ReplayResult expected = replayed(drawn, sort, k);
         EXPECT_EQ(certificate.fragments, expected.fragments);
-        const double allowed = 4 + 1e-3 * static_cast<double>(expected.misordered);
+        const double touching = GetParam().touches ? 3e-3 * scene.width * scene.height : 0;
+        const double allowed = 4 + 2e-3 * static_cast<double>(expected.misordered) + touching;
         EXPECT_NEAR(static_cast<double>(certificate.misordered), static_cast<double>(expected.misordered), allowed);
         EXPECT_NEAR(static_cast<double>(certificate.pixels), static_cast<double>(expected.misorderedPixels), allowed);
       }

@@ -82,6 +82,7 @@ class ABufferRenderer final : public Renderer {
       checkGl("drawing");
       readTime.time([&] { readTile(*colorFramebuffer_, part, drawing.image); });
     }
+    refuseCutShort(drawing.image);
     if (drawing.certificate) drawing.certificate->fragments = drawing.fragments;
     drawing.fragmentBytes = fragments_ ? fragments_->bytes() : 0;
     return drawing;
@@ -90,6 +91,14 @@ class ABufferRenderer final : public Renderer {
   void setLayers(const RayLayers* layers) override { toComposite_ = layers; }
 
  private:
+  /// Pixels that abuffer_resolve.frag has marked.
+  static void refuseCutShort(const Image& image) {
+    for (std::size_t alpha = 3; alpha < image.rgba.size(); alpha += 4)
+      if (image.rgba[alpha] < 0)
+        failRunning("a pixel has more fragments than the loops of this OpenGL can sort", "--visibility abuffer",
+                    "draw with --visibility kbuffer or cells");
+  }
+
   /// None can come too late: a segment is drawn when all fragments of its pixel lie sorted.
   static Certificate certificateOf(const View& view) {
     Certificate certificate;

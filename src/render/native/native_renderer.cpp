@@ -137,7 +137,8 @@ class NativeRenderer final : public Renderer {
     setting_.attributes = numbersOf(plan_.lookup.carries);
     setting_.certificate = plan_.certificate;
     setting_.compositeLate = plan_.compositeLate;
-    setting_.orderIsBelieved = sortMethod(plan_.sort).isBelieved;
+    // Of cell data in any order: of faces in one place, as at an edge that a ray goes through, it knows best.
+    setting_.orderIsBelieved = plan_.cellData || sortMethod(plan_.sort).isBelieved;
     if (plan_.earlyTermination > 0) setting_.terminalOpacity = static_cast<float>(plan_.earlyTermination);
   }
 

@@ -32,7 +32,7 @@ TEST(SideOfEye, IsThatOfThePlane) {
   for (const View& view : views())
     for (int i = 0; i < 200; ++i) {
       const Vec3 a = randomPoint(random), b = randomPoint(random), c = randomPoint(random);
-      const Vec3 toEye = view.orthographic ? Vec3{0} - view.forward : view.center - a;
+      const Vec3 toEye = view.orthographic ? Vec3{0} - view.forward : view.eye - a;
       const double height = dot(cross(b - a, c - a), toEye);
       if (std::abs(height) < 1e-9) continue;
       EXPECT_EQ(sideOfEye(a, b, c, view), height > 0 ? 1 : -1);
@@ -46,7 +46,7 @@ TEST(SideOfEye, IsThatOfThePixelsThatTheFaceCovers) {
   for (const View& view : views())
     for (int i = 0; i < 2000; ++i) {
       const Vec3 a = randomPoint(random), b = randomPoint(random);
-      const Vec3 along = view.orthographic ? view.forward : a - view.center;
+      const Vec3 along = view.orthographic ? view.forward : a - view.eye;
       const Vec3 c = 0.5 * (a + b) + 0.3 * along;  // in the plane of a, b and the eye, but for rounding
       const ScreenPoint p = screenPoint(a, view), q = screenPoint(b, view), r = screenPoint(c, view);
       if (!(p.w > 0 && q.w > 0 && r.w > 0)) continue;

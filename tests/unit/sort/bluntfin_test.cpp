@@ -19,9 +19,11 @@ TEST(BluntFin, TopologicalOrderIsExactWhereTheCentroidOrderIsNot) {
   for (const double azimuth : {30.0, 120.0, 250.0}) {
     const View view = test::viewFrom(scene.frame, azimuth, 20, 128);
     // Repair leaves out the 77 flat cells of the grid's collapsed edge: which of two cells there is in front is a
-    // guess, wrong for one fragment of the three views (of a million), and mended by a second entry.
+    // guess, wrong for one fragment of the three views (of a million), and mended by a third entry: it is an exit at
+    // the place of an entry, which one of two entries may draw before it.
     EXPECT_LE(scene.replay("topological", view, 1).misordered, 1u);
-    EXPECT_EQ(scene.replay("topological", view, 2).misordered, 0u);
+    EXPECT_LE(scene.replay("topological", view, 2).misordered, 1u);
+    EXPECT_EQ(scene.replay("topological", view, 3).misordered, 0u);
     const auto centroid = scene.replay("centroid", view, 6);
     EXPECT_GT(centroid.misordered, centroid.fragments / 20);  // 7 to 16% of the fragments at k = 6
     EXPECT_EQ(centroid.unbalancedPixels, 0u);

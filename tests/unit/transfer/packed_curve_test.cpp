@@ -155,8 +155,8 @@ TEST(IntegralLookup, IsTheIntegralOfTheLight) {
         exact.color[1] += length * (wa * a.g + wb * b.g);
         exact.color[2] += length * (wa * a.b + wb * b.b);
       });
-      for (double& channel : exact.color) channel = std::min(channel, 1.0);
       exact.alpha = -std::expm1(-depth);
+      for (double& channel : exact.color) channel = std::min(channel, exact.alpha);
       worst = std::max(worst, distance(DoubleArithmetic::integralSegment(fetch, c.front, c.back, c.length), exact));
       worstFloat = std::max(
           worstFloat, distance(Arithmetic<FloatLane>::integralSegment(fetchFloat, c.front, c.back, c.length), exact));
