@@ -38,7 +38,7 @@ ShaderHandle compile(const std::string& label, const Program::Stage& stage) {
   glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
   if (!compiled) {
     const std::string log = shaderLog(shader.id());
-    if (log.empty())  // a driver without memory
+    if (log.find_first_not_of(" \n") == std::string::npos)  // a driver without memory
       failRunning("shader does not compile, and the driver does not say why", label,
                   "raise the limit of memory (ulimit -v), or try --device native");
     failRunning("shader does not compile: " + explainLog(log, stage.source), label);
