@@ -44,10 +44,10 @@ class SegmentTruth {
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       if (!(cuts[i - 1] < cuts[i])) continue;
       const Stretch stretch = stretchOf(from, to, cuts[i - 1], cuts[i], length);
-      if (perUnit_ && stretch.at(0)[4] >= 1) return withSurface(sum, stretch.at(0), depth);
+      if (isSurface(stretch.at(0))) return withSurface(sum, stretch.at(0), depth);
       for (std::size_t c = 0; c < 3; ++c) sum[c] += std::exp(-depth) * lightOf(stretch, c);
       depth += depthOf(stretch, 1);
-      if (perUnit_ && stretch.at(1)[4] >= 1) return withSurface(sum, stretch.at(1), depth);
+      if (isSurface(stretch.at(1))) return withSurface(sum, stretch.at(1), depth);
     }
     sum[3] = -std::expm1(-depth);
     return rounded(sum);
@@ -55,6 +55,8 @@ class SegmentTruth {
 
  private:
   using Sample = std::array<long double, 5>;
+  /// Up to what rounding the place of a control point takes from an opacity of 1.
+  bool isSurface(const Sample& sample) const { return perUnit_ && sample[4] >= 1 - 1e-12L; }
   /// A part of the way on which colour and opacity are linear.
   struct Stretch {
     Sample front, back;
