@@ -32,8 +32,9 @@ void main() {
     PixelState state = PixelState(0.0, 0.0);
     Merge list = sortList(first, count);
     Fragment front = fragmentOf(takeNext(list)), back = fragmentOf(takeNext(list));
-    int i = 1;
-    for (; i < count; ++i) {
+    float turns = 1.0;  // counted apart: of `i` the compiler knows what it is behind the loop
+    for (int i = 1; i < count; ++i) {
+      turns += 1.0;
       Fragment beyond = fragmentOf(takeNext(list));  // of no kind behind the last
       exitBeforeEntry(back, beyond, state.inside + kindOf(front.payload));
       Segment segment = leave(state, front, back);
@@ -43,12 +44,12 @@ void main() {
       back = beyond;
 #ifdef HAVS_EARLY_TERMINATION
       if (color.a >= terminalOpacity) {
-        i = count;
+        turns = float(count);
         break;
       }
 #endif
     }
-    whole = i >= count;
+    whole = turns >= float(count);
   }
 #ifdef HAVS_LAYERS
   bool ended = false;
