@@ -101,7 +101,7 @@ std::vector<Defect> rowsOf(const Findings& findings) {
 
 }  // namespace
 
-std::vector<Defect> inspectMesh(const TetMesh& mesh) {
+std::vector<Defect> inspectMesh(const TetMesh& mesh, bool overlaps) {
   const std::vector<CellState> states = cellStates(mesh);
   const std::size_t cells = mesh.tetrahedra.size();
   Findings found;
@@ -113,13 +113,17 @@ std::vector<Defect> inspectMesh(const TetMesh& mesh) {
     const OverfullFaces overfull = overfullFaces(mesh);
     found.overfull = {overfull.count, overfull.firstCell};
   }
-  const OverlappingCells overlapping = overlappingCells(mesh);
-  found.overlapping = {overlapping.count, overlapping.first};
+  if (overlaps) {
+    const OverlappingCells overlapping = overlappingCells(mesh);
+    found.overlapping = {overlapping.count, overlapping.first};
+  }
   const std::vector<char> used = usedPoints(mesh);
   found.unreferenced = tally(used.size(), [&](std::size_t i) { return !used[i]; });
   found.nonFinitePoints = tally(mesh.points.size(), [&](std::size_t i) { return !isFinite(mesh.points[i]); });
   found.nonFiniteScalars = nonFiniteScalars(mesh);
-  return rowsOf(found);
+  std::vector<Defect> rows = rowsOf(found);
+  if (!overlaps) leaveOutOverlaps(rows);
+  return rows;
 }
 
 std::vector<Defect> inspectFields(const TetMesh& mesh) {

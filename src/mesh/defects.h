@@ -23,7 +23,8 @@ std::string describe(const Defect& defect);
 /// Counts every kind of defect (rows with count 0 too, so that a reader sees what was looked for). Linear time,
 /// parallel.
 /// flat: |volume| <= 1e-15 times the cube of the cell's longest edge; overfull face: a face of more than two cells.
-std::vector<Defect> inspectMesh(const TetMesh& mesh);
+/// Without `overlaps`, which are most of the time that it takes, there is no row of overlapping_cells.
+std::vector<Defect> inspectMesh(const TetMesh& mesh, bool overlaps = true);
 
 /// Whether all cells are right-handed and not flat, and all points are finite and used: repairMesh could find nothing
 /// but cells of the same points. Linear time, parallel.

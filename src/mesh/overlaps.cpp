@@ -180,4 +180,8 @@ void enterOverlaps(std::vector<Defect>& defects, const OverlappingCells& found) 
   }
 }
 
+void leaveOutOverlaps(std::vector<Defect>& defects) {
+  std::erase_if(defects, [](const Defect& defect) { return defect.name == "overlapping_cells"; });
+}
+
 }  // namespace havs

@@ -26,5 +26,7 @@ OverlappingCells overlappingCells(const TetMesh& mesh);
 
 /// Puts it into its row of `defects`.
 void enterOverlaps(std::vector<Defect>& defects, const OverlappingCells& found);
+/// Takes the row away, where none were looked for.
+void leaveOutOverlaps(std::vector<Defect>& defects);
 
 }  // namespace havs

@@ -29,6 +29,9 @@ namespace {
 /// Beyond the mesh as read: neighbours, faces, local points, and the order (docs/07-performance.md, Faces, order,
 /// tables).
 constexpr double kBytesPerTetrahedron = 140;
+/// Overlapping cells are looked for in larger meshes by `havs info` only: it takes longer than all else before a
+/// picture.
+constexpr std::size_t kMostCellsForOverlaps = 20000;
 
 /// Adds up the parts of the two stages, which do not run in one go; each counts as one run in the end.
 class StageSums {
@@ -105,7 +108,10 @@ bool prepareSound(PreparedScene& prepared, const Scene& scene, TetMesh& mesh, St
   if (!faces.plain) return false;
   const bool holes = stages.time("prepare", [&] {
     prepared.defects = inspectFields(mesh);
-    enterOverlaps(prepared.defects, overlappingCells(ordered, faces, numbers->cells));
+    if (ordered.tetrahedra.size() <= kMostCellsForOverlaps)
+      enterOverlaps(prepared.defects, overlappingCells(ordered, faces, numbers->cells));
+    else
+      leaveOutOverlaps(prepared.defects);
     noteRepairs(prepared);
     ScalarField field = renumberedField(selectField(mesh, scene.field), *numbers);
     mesh = {};
@@ -119,7 +125,7 @@ bool prepareSound(PreparedScene& prepared, const Scene& scene, TetMesh& mesh, St
 
 void prepareMended(PreparedScene& prepared, const Scene& scene, TetMesh mesh, StageSums& stages) {
   stages.time("prepare", [&] {
-    prepared.defects = inspectMesh(mesh);
+    prepared.defects = inspectMesh(mesh, mesh.tetrahedra.size() <= kMostCellsForOverlaps);
     noteRepairs(prepared);
     mesh = repairMesh(std::move(mesh));
     const SpatialNumbers numbers = spatialNumbers(mesh.points, mesh.tetrahedra);

@@ -163,12 +163,14 @@ std::string CaseChecker::judgeNative(const HardPicture& picture, const havs::Dra
     if (!hard[i] && picture.scene.earlyTermination == 0) tally_.native = std::max(tally_.native, error);
   }
   if (!any) return "";
+  constexpr double kRoundings =
+      4;  // of a fragment's place in two directions, its depth and its scalar; effects are of one
   const std::vector<double> effects = effectsAt(picture, hard);
   for (std::size_t i = 0; i < hard.size(); ++i) {
     if (!hard[i]) continue;
     ++tally_.hard;
     const double error = errorAt(drawing.image, picture.truth, i);
-    if (!(error <= bound + effects[i]))
+    if (!(error <= bound + kRoundings * effects[i]))
       return fmt::format("native {} the truth: pixel {} is off by {:.3g}, float may move it by {:.3g};{}",
                          error > kFar ? "far from" : "beside", placeOf(i, picture.truth), error, effects[i],
                          colorsAt(i, drawing.image, picture.truth));
