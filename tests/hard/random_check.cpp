@@ -147,7 +147,8 @@ std::string CaseChecker::judgeNative(const HardPicture& picture, const havs::Dra
   if (const std::string wrong = notInRange(drawing.image, picture.scene); !wrong.empty())
     return "native out of range: " + wrong;
   if (overlaps || !isExact(picture.scene)) return "";
-  double bound = HardBounds{}.native + colorBesideSteps(picture.prepared.curve);
+  const double besideSteps = colorBesideSteps(picture.prepared.curve);
+  double bound = HardBounds{}.native + besideSteps;
   if (picture.scene.earlyTermination > 0) bound += 1 - picture.scene.earlyTermination;
   std::vector<char> hard(picture.truth.rgba.size() / 4);
   bool any = false;
@@ -160,7 +161,7 @@ std::string CaseChecker::judgeNative(const HardPicture& picture, const havs::Dra
     const double error = errorAt(drawing.image, picture.truth, i);
     hard[i] = !(error <= bound);
     any = any || hard[i];
-    if (!hard[i] && picture.scene.earlyTermination == 0) tally_.native = std::max(tally_.native, error);
+    if (!hard[i] && picture.scene.earlyTermination == 0) tally_.native = std::max(tally_.native, error - besideSteps);
   }
   if (!any) return "";
   constexpr double kRoundings =

@@ -15,10 +15,10 @@ using Random = HardTest;
 
 TEST_F(Random, ScenesOfAllKinds) {
   tell({"Random", "what nobody has thought of: cases of the other groups in one scene, in combinations",
-        "a thousand small random scenes a run, more on call, each drawn and held to the truth, the same bits on any "
+        "thousands of small random scenes a run, more on call, each drawn and held to the truth, the same bits on any "
         "lanes, and no "
         "more opacity with fewer cells; what fails is shrunk to a few cells and kept as files"});
-  const RandomRun run = asAskedFor({.seed = 20, .cases = 1000});
+  const RandomRun run = asAskedFor({.seed = 20, .cases = 3000});
   std::cout << "HAVS_RANDOM_SEED=" << run.seed << std::endl;
   CaseChecker checker;
   const auto failures = runRandom(run, checker);
