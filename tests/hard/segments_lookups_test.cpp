@@ -84,9 +84,9 @@ TEST_F(Segments, EveryLookupIsAsExactAsItsKind) {
         "what each keeps of the integral is stated (docs/02-method.md), and each is held to it"});
   // Colour and extinction are linear over the scalar, so `exact` and `pre` have no error but float's. Others: measured
   // here and rounded up to one digit; tables have 16 entries a side.
-  const std::map<std::string, double> bounds{{"exact", 2e-5},         {"pre", 3e-5},       {"3d", 3e-2},
-                                             {"3d-normalised", 1e-3}, {"2d", 2e-2},        {"integral", 2e-1},
-                                             {"post", 2e-2},          {"riemann:8", 2e-3}, {"riemann-linear:8", 3e-2}};
+  const std::map<std::string, double> bounds{{"exact", 2e-5},         {"pre", 3e-5},       {"3d", 2e-3},
+                                             {"3d-normalised", 3e-5}, {"2d", 4e-3},        {"integral", 2e-1},
+                                             {"post", 4e-3},          {"riemann:8", 2e-4}, {"riemann-linear:8", 2e-2}};
   Prepared made =
       prepare(lookupScene({{0, 0.2, 0.4, 0.8, 0.3}, {1, 0.9, 0.5, 0.1, 1.3}}, "extinction", 1), SlantedBox{}.mesh());
   for (const Lookup& row : lookups()) {
@@ -98,10 +98,12 @@ TEST_F(Segments, EveryLookupIsAsExactAsItsKind) {
 }
 
 TEST_F(Segments, LightOfIntegralStaysBelowItsOpacity) {
-  tell({"Segments",
-        "`integral` leaves the attenuation inside a segment out of its light: before this case a deep white segment "
-        "had light 1 and opacity 0.9, and pixels came out up to 1.9 on the a-buffer, cut off at 1 by the k-buffer",
-        "light is at most the opacity, as colours are at most 1; what is white is exact now"});
+  tell(
+      {"Segments",
+       "`integral` leaves the attenuation inside a segment out of its light: before this case a white segment of depth "
+       "1 had light 1 and opacity 0.63, so many of them add up to 1.58; the k-buffer cuts that off at 1, the a-buffer "
+       "does not",
+       "light is at most the opacity, as colours are at most 1; what is white is exact now"});
   Prepared made = prepare(lookupScene({{0, 1, 1, 1, 0.5}, {1, 1, 0.5, 1, 0.99}}, "per_unit", 0.5), SlantedBox{}.mesh());
   made.scene.lookup = "integral";
   for (const HardWay* way : {&kNative, &kKBuffer, &kABuffer}) {
@@ -118,7 +120,7 @@ TEST_F(Segments, LightOfIntegralStaysBelowItsOpacity) {
   }
 }
 
-/// A peak of opacity a thousandth of the domain wide: a tenth of a cell of a table of 128 entries.
+/// A peak of opacity a thousandth of the domain wide: an eighth of a cell of a table of 128 entries.
 const Points kNarrow{{0, 0.1, 0.2, 0.9, 0.02},
                      {0.4990, 0.1, 0.2, 0.9, 0.02},
                      {0.4995, 1, 0.6, 0.1, 400},

@@ -56,9 +56,10 @@ TEST_F(Opacities, OneAtOnePoint) {
 
 TEST_F(Opacities, OneAtTheEndOfTheDomain) {
   tell({"Segments",
-        "before this case a fragment of the boundary kept 1 as 0.99999994, as its kind takes two bits: on OpenGL what "
-        "is a surface at 1 only was none there",
-        "that number stands for 1 and is read as 1"});
+        "a surface of one scalar, the last: before this case it had the colour of the other side of the step there, on "
+        "every device; and OpenGL keeps 1 at the boundary as 0.99999994, as a fragment's kind takes two bits, which is "
+        "no surface",
+        "a surface of one scalar has its own colour; 0.99999994 stands for 1 and is read as 1"});
   const Points end{{0, 0, 0, 1, 0}, {1, 0, 0, 1, 0}, {1, 1, 0.5, 0, 1}};
   expectDrawn(end, 1, {1, 0}, kRounded);
 }
