@@ -73,7 +73,7 @@ class CellGaps : public CellsTest {
         "two boundaries so near that rounding may put the entry before the exit: a mark in a fragment alone loses "
         "the next segment, and with cell data it took the scalar of nothing",
         "a running count of entries and exits; what is nearer than 1e-6 stays in the order of the faces");
-    expectBothData(twoBoxes(2, gap), {.byDistance = 1});
+    expectBothData(twoBoxes(2, gap));
   }
 };
 TEST_F(CellGaps, Of1e3) { expectGap(1e-3); }
