@@ -32,11 +32,12 @@ void main() {
     PixelState state = PixelState(0.0, 0.0);
     Merge list = sortList(first, count);
     Fragment front = fragmentOf(takeNext(list)), back = fragmentOf(takeNext(list));
+    orderBoundaries(front, back, 0.0);
     float turns = 1.0;  // counted apart: of `i` the compiler knows what it is behind the loop
     for (int i = 1; i < count; ++i) {
       turns += 1.0;
       Fragment beyond = fragmentOf(takeNext(list));  // of no kind behind the last
-      exitBeforeEntry(back, beyond, state.inside + kindOf(front.payload));
+      orderBoundaries(back, beyond, state.inside + kindOf(front.payload));
       Segment segment = leave(state, front, back);
       color = compositeSegment(layers, color, segmentColor(segment), segment.middle, reached, back.distance);
       reached = back.distance;

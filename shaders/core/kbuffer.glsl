@@ -53,7 +53,7 @@ FUNCTION Fragment selectFragment(Mask condition, Fragment yes, Fragment no) {
 // `f` is late: misordered (nearer than the nearest entry by more than the tolerance) after a first fragment has left,
 // so that the segment it belongs to has been drawn already. entry[0] is empty, at -3e38, as long as the buffer is not
 // full.
-// Late, too, is the exit from a part that should have changed places (exitBeforeEntry) with the nearest entry: the
+// Late, too, is the exit from a part that should have changed places (orderBoundaries) with the nearest entry: the
 // segment before that is drawn already.
 FUNCTION Mask isLateBy(KBuffer kbuffer, PixelState state, Fragment f, Real tolerance) {
   Fragment nearest = kbuffer.entry[0];
@@ -104,22 +104,25 @@ FUNCTION Segment leave(INOUT(PixelState) state, Fragment front, Fragment back) {
   return segment;
 }
 
-// `first` and `second` come next, in a pixel whose inside-count before them is `inside`. Where two parts of the mesh touch,
-// the ray leaves one and enters the other at one place, and rounding decides what is nearer. With the entry first, what
-// lies before would end at a scalar of the part behind, and what lies behind begin at one of the part before. So within a
-// part an exit changes places with an entry that is nearer by no more than rounding; outside, the two are a thin layer.
-FUNCTION void exitBeforeEntry(INOUT(Fragment) first, INOUT(Fragment) second, Real inside) {
-  Mask turned = (inside > Real(0.5)) && (kindOf(first.payload) > Real(0.5)) &&
-                (kindOf(second.payload) < Real(-0.5)) &&
-                (second.distance - first.distance < Real(kLateTolerance));
-  Payload entry = first.payload;
-  first.payload = selectPayload(turned, second.payload, entry);  // distances stay, and with them the order
-  second.payload = selectPayload(turned, entry, second.payload);
+// `first` and `second` come next, in a pixel whose inside-count before them is `inside`. An entry and an exit nearer to
+// each other than rounding tells come in the order that the count asks for. Where two parts of the mesh touch, the ray
+// leaves one and enters the other at one place: with the entry first, what lies before would end at a scalar of the part
+// behind, and what lies behind begin at one of the part before. Outside, where nothing can be left, the two are a thin
+// layer: with the exit first, an opaque one would not be met.
+FUNCTION void orderBoundaries(INOUT(Fragment) first, INOUT(Fragment) second, Real inside) {
+  Real firstKind = kindOf(first.payload);
+  Real secondKind = kindOf(second.payload);
+  Mask within = (inside > Real(0.5)) && (firstKind > Real(0.5)) && (secondKind < Real(-0.5));
+  Mask outside = (inside < Real(0.5)) && (firstKind < Real(-0.5)) && (secondKind > Real(0.5));
+  Mask turned = (within || outside) && (second.distance - first.distance < Real(kLateTolerance));
+  Payload kept = first.payload;
+  first.payload = selectPayload(turned, second.payload, kept);  // distances stay, and with them the order
+  second.payload = selectPayload(turned, kept, second.payload);
 }
 
 // `front` has left; `rest` is what is left behind it: as above.
 FUNCTION Segment leaveBefore(INOUT(PixelState) state, Fragment front, INOUT(KBuffer) rest) {
-  exitBeforeEntry(rest.entry[0], rest.entry[HAVS_K > 1 ? 1 : 0], state.inside + kindOf(front.payload));
+  orderBoundaries(rest.entry[0], rest.entry[HAVS_K > 1 ? 1 : 0], state.inside + kindOf(front.payload));
   return leave(state, front, rest.entry[0]);
 }
 

@@ -102,7 +102,7 @@ bool addVolume(Rgba& sum, const ExtinctionCurve& curve, const LitStretch& begin,
   }
   const Incident met = between({{}, begin.incident}, {{}, end.incident}, surface.share).incident;
   addSegment(sum, curve, begin.scalar, surface.scalar, surface.share * part, begin.incident, met);
-  const Rgba color = colorOfSurface(curve, surface.scalar);
+  const Rgba color = colorOfSurface(curve, surface);
   sum = A::compositeUnder(sum, {color.r * met.light, color.g * met.light, color.b * met.light, color.a});
   return true;
 }

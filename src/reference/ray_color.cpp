@@ -23,7 +23,7 @@ bool addVolume(const ExtinctionCurve& curve, double from, double to, double leng
     return false;
   }
   sum = A::compositeUnder(sum, integrate(curve, from, surface.scalar, surface.share * length));
-  sum = A::compositeUnder(sum, colorOfSurface(curve, surface.scalar));
+  sum = A::compositeUnder(sum, colorOfSurface(curve, surface));
   return true;
 }
 

@@ -113,4 +113,18 @@ double floatEffect(const RayScene& scene, RayFunction function, std::span<const 
   return sum;
 }
 
+double cutEffect(const RayScene& scene, RayFunction function, std::span<const CellSegment> segments, double distance) {
+  std::vector<CellSegment> kept;
+  for (CellSegment s : segments) {
+    if (s.exit <= distance) continue;
+    if (s.entry < distance) {
+      const double part = (distance - s.entry) / (s.exit - s.entry);
+      s.scalarEntry += part * (s.scalarExit - s.scalarEntry);
+      s.entry = distance;
+    }
+    kept.push_back(s);
+  }
+  return difference(function(scene, kept), function(scene, segments));
+}
+
 }  // namespace havs::test

@@ -18,4 +18,7 @@ struct FragmentErrors {
 double floatEffect(const RayScene& scene, RayFunction function, std::span<const CellSegment> segments, bool cellData,
                    const FragmentErrors& errors);
 
+/// By how much the ray's colour moves, in the worst channel, when what lies before `distance` is left out of it.
+double cutEffect(const RayScene& scene, RayFunction function, std::span<const CellSegment> segments, double distance);
+
 }  // namespace havs::test

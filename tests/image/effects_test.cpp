@@ -115,7 +115,7 @@ TEST_P(EachEffect, IsAsInTheReference) {
   const auto& [drawn, effect] = GetParam();
   const auto mesh = drawn.make();
   if (!mesh) GTEST_SKIP() << "no such mesh here: TetGen is left out of the build, or there is no " << HAVS_SHARED_DATA;
-  Scene scene = plain(384);
+  Scene scene = plain(256);
   ask(scene, *effect, dataOf(scene, *mesh));
   expectRight(scene, *mesh);
   scene.camera.projection = Projection::orthographic;

@@ -13,7 +13,7 @@
 namespace havs::test {
 namespace {
 
-constexpr int kSize = 384;
+constexpr int kSize = 256;
 /// Float and double may differ on whether a ray meets a surface only where the ray's greatest or least scalar in a
 /// neighbourhood is the surface's value, up to 2^-24: at a silhouette across a face, where the scalar goes by some 1e-3
 /// from one pixel to the next. So one of 10,000 pixels of silhouettes may flip; these pictures have some thousands, and

@@ -17,7 +17,7 @@
 namespace havs::test {
 namespace {
 
-constexpr int kSize = 384;
+constexpr int kSize = 256;
 /// Issue 5 promises an RMSE of 1e-3 and, on OpenGL, 5e-3 for all but a thousandth of the pixels. What is left out is
 /// that colour times light bends between two knots of the transfer function in one cell: less than a product of two
 /// differences within a cell; at a light's place, whose distance does not bend less near by, and where the gradient

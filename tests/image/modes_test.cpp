@@ -18,7 +18,7 @@
 namespace havs::test {
 namespace {
 
-constexpr int kSize = 384;
+constexpr int kSize = 256;
 /// Native: sums of some hundred segments of float, each off by 2^-24 of what it adds (X-ray, emission); colours of one
 /// scalar that is off by 2^-24, where the colour map goes from one end to the other in a hundredth of it (three-peaks).
 constexpr double kNativeRmse = 1e-6, kNativeMaximum = 5e-5;

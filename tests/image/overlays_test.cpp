@@ -13,7 +13,7 @@
 namespace havs::test {
 namespace {
 
-constexpr int kSize = 384;
+constexpr int kSize = 256;
 /// The layers' colours are the reference's, rounded to float; what remains is as without them
 /// (native_accuracy_test.cpp).
 constexpr double kNativeRmse = 1e-6, kNativeMaximum = 1e-5;

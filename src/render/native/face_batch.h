@@ -48,7 +48,8 @@ enum class FaceWay : std::uint8_t {
 };
 
 /// A face whose height is a smaller part of its extent in the picture is drawn pixel by pixel: float would lose the
-/// place across it.
+/// place across it. At a pixel where the face is w away, the edges' functions sum to determinant / w: what float loses of
+/// them is the greater part of that the farther it is.
 constexpr double kLeastHeight = 1.0 / 64;
 /// Of |perX| + |perY| and a pixel of extent: what float may be off by, in the value of an edge function. Six roundings
 /// of 2^-24 of at most the extent.
@@ -143,6 +144,7 @@ struct FaceBatch {
     }
     for (int i = 0; i < kBatch; ++i) {
       const double across = extent[i];
+      const double farthest = most(w, i);
       double thinnest = 0;
       for (int j = 0; j < 3; ++j) {
         const int a = (j + 1) % 3, b = (j + 2) % 3;
@@ -155,7 +157,7 @@ struct FaceBatch {
         const double bx = std::abs(x[b][i]) + across * std::abs(w[b][i]);
         const double by = std::abs(y[b][i]) + across * std::abs(w[b][i]);
         error[j][i] = kFloatError * across * run + kDoubleError * (ax * by + ay * bx);
-        const double thin = across * w[j][i] * run;
+        const double thin = across * farthest * run;
         thinnest = thin > thinnest ? thin : thinnest;
       }
       determinant[i] = w[0][i] * atOriginD[0][i] + x[0][i] * perXD[0][i] + y[0][i] * perYD[0][i];

@@ -11,9 +11,13 @@ namespace havs {
 std::span<const InstructionSet> instructionSets() {
   static const std::vector<InstructionSet> rows {
     {"scalar", "one lane, on any processor", 1, [] { return true; }, scalarKernels},
-#if defined(__x86_64__)
+#if HAVS_HAS_sse41
         {"sse4.1", "four lanes", 4, [] { return __builtin_cpu_supports("sse4.1") != 0; }, sse41Kernels},
+#endif
+#if HAVS_HAS_avx2
         {"avx2", "eight lanes", 8, [] { return __builtin_cpu_supports("avx2") != 0; }, avx2Kernels},
+#endif
+#if HAVS_HAS_avx512
         {"avx512", "sixteen lanes", 16,
          [] {
            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&

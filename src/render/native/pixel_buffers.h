@@ -112,7 +112,7 @@ class EntriesOfPixels {
 };
 
 /// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, or leaves a part of
-/// the mesh where another has been entered, and its pixel flagged; in all others every k gives the same segments, to
+/// the mesh where another has been entered, or one that has not been, and its pixel flagged; in all others every k gives the same segments, to
 /// the last bit.
 template <class Lanes, template <class> class PayloadOf>
 class LastOfPixels {
@@ -130,16 +130,18 @@ class LastOfPixels {
     // Kept with a fragment is not its kind but the inside-count behind it, which leave() then gives back.
     const typename A::Fragment last = Stored::load(state_);
     Inserted<typename A::Segment> done;
-    // Of exitBeforeEntry (core/kbuffer.glsl): an exit that may have to go before an entry at its place.
-    const Mask touches = (last.payload.kind > Real(1.5f)) && (incoming.payload.kind < Real(-0.5f)) &&
-                         (incoming.distance - last.distance < Real(A::kLateTolerance));
+    // Of orderBoundaries (core/kbuffer.glsl): an exit that may have to go before an entry at its place, or behind it.
+    const Mask within = (last.payload.kind > Real(1.5f)) && (incoming.payload.kind < Real(-0.5f));
+    const Mask outside = (last.payload.kind < Real(-0.5f)) && (incoming.payload.kind > Real(0.5f));
+    const Mask touches =
+        (within || outside) && (incoming.distance - last.distance < Real(A::kLateTolerance));
     done.wrong =
         bits & (Lanes::bitsOf(incoming.distance < last.distance - Real(tile.sameDistance)) | Lanes::bitsOf(touches));
     incoming.distance = Lanes::most(incoming.distance, last.distance);
     done.taken = bits & ~done.wrong;
     incoming.payload.kind = last.payload.kind + incoming.payload.kind;
-    typename A::PixelState outside{Real(0.0f), Real(0.0f)};
-    done.segment = A::leave(outside, last, incoming);
+    typename A::PixelState nowhere{Real(0.0f), Real(0.0f)};
+    done.segment = A::leave(nowhere, last, incoming);
     Stored::store(state_, A::selectFragment(Lanes::maskOf(done.taken), incoming, last));
     return done;
   }
