@@ -98,25 +98,34 @@ std::vector<double> effectsAt(const HardPicture& picture, const std::vector<char
   return effects;
 }
 
-/// Adds to `mask` the pixels where float may have met other isosurfaces than the truth, which PixelTracer does not look
-/// for: it does not tell on which side of a surface a scalar lies that is nearer to it, nor which of two faces is first.
+/// Adds to `mask` the pixels of `scene` seen in `view` that are not the truth's.
+void addChanged(const HardPicture& picture, const View& view, const RayScene& scene, std::vector<unsigned char>& mask) {
+  const std::vector<char> all(mask.size(), 1);
+  visitPixels(picture.prepared, view, all, [&](std::size_t pixel, double, std::span<const CellSegment> segments) {
+    const RayColor color = mode(picture.scene.mode).reference(scene, segments);
+    for (std::size_t c = 0; c < 4; ++c)
+      if (std::abs(color[c] - double{picture.truth.rgba[4 * pixel + c]}) > HardBounds{}.traced) mask[pixel] = 1;
+  });
+}
+
+/// Adds to `mask` the pixels where OpenGL may have met other isosurfaces than the truth, which PixelTracer does not look
+/// for: float does not tell on which side of a surface a scalar lies that is nearer to it, nor which of two faces is
+/// first, and the rasteriser's grid moves places by up to 1/256 pixel.
 void addBesideSurfaces(const HardPicture& picture, std::vector<unsigned char>& mask) {
   constexpr double kGlLowered = 0x1p-22;  // lookup_resources.cpp
+  constexpr double kGrid = 1.0 / 256;
   const PreparedScene& p = picture.prepared;
-  const std::vector<char> all(mask.size(), 1);
-  const std::vector<double> effects = effectsAt(picture, all);
+  const std::vector<double> effects = effectsAt(picture, std::vector<char>(mask.size(), 1));
   for (std::size_t i = 0; i < mask.size(); ++i)
     if (effects[i] > HardBounds{}.traced) mask[i] = 1;
   for (const double by : {-kGlLowered - kRounding, kRounding}) {
     auto surfaces = p.isosurfaces;
     for (auto& surface : surfaces) surface.scalar += by;
-    const RayScene scene{p.curve, surfaces};
-    visitPixels(p, picture.view, all, [&](std::size_t pixel, double, std::span<const CellSegment> segments) {
-      const RayColor color = mode(picture.scene.mode).reference(scene, segments);
-      for (std::size_t c = 0; c < 4; ++c)
-        if (std::abs(color[c] - double{picture.truth.rgba[4 * pixel + c]}) > HardBounds{}.traced) mask[pixel] = 1;
-    });
+    addChanged(picture, picture.view, {p.curve, surfaces}, mask);
   }
+  for (const double x : {-kGrid, 0.0, kGrid})
+    for (const double y : {-kGrid, 0.0, kGrid})
+      addChanged(picture, shifted(picture.view, x, y), {p.curve, p.isosurfaces}, mask);
 }
 
 std::string placeOf(std::size_t pixel, const Image& image) {

@@ -64,14 +64,28 @@ class Moves {
     return scalars + distances;
   }
 
-  /// Any of the fragments [first, last) as the first or the last of them.
+  /// Any of the fragments [first, last) as the first or the last of them, or after the segment that it ends was drawn to
+  /// one of its neighbours.
   double ofOrder(std::size_t first, std::size_t last) const {
     double most = 0;
     for (std::size_t i = first; i < last; ++i) {
       most = std::max(most, difference(colorOf(moved(i, first)), color_));
       most = std::max(most, difference(colorOf(moved(i, last - 1)), color_));
+      for (const std::size_t neighbour : {i - 1, i + 1}) {
+        if (neighbour < first || neighbour >= last) continue;
+        Fragments skipped = fragments_;
+        skipped[i].scalar = skipped[neighbour].scalar;
+        most = std::max(most, difference(colorOf(skipped), color_));
+      }
     }
     return most;
+  }
+
+  /// Without what lies between the fragments [first, last): with inner faces before the entry, the ray is outside there.
+  double ofMissing(std::size_t first, std::size_t last) const {
+    Fragments moved = fragments_;
+    for (std::size_t i = first; i + 1 < last; ++i) moved[i].inside = false;
+    return difference(colorOf(moved), color_);
   }
 
   const Fragments& fragments() const { return fragments_; }
@@ -108,6 +122,7 @@ double floatEffect(const RayScene& scene, RayFunction function, std::span<const 
     while (last < fragments.size() && fragments[last].distance - fragments[last - 1].distance <= errors.together)
       ++last;
     if (last - first > 1) sum += moves.ofOrder(first, last);
+    if (last - first > 2) sum += moves.ofMissing(first, last);
     first = last;
   }
   return sum;
