@@ -108,9 +108,9 @@ void addChanged(const HardPicture& picture, const View& view, const RayScene& sc
   });
 }
 
-/// Adds to `mask` the pixels where OpenGL may have met other isosurfaces than the truth, which PixelTracer does not look
-/// for: float does not tell on which side of a surface a scalar lies that is nearer to it, nor which of two faces is
-/// first, and the rasteriser's grid moves places by up to 1/256 pixel.
+/// Adds to `mask` the pixels where OpenGL may have met other isosurfaces than the truth, which PixelTracer does not
+/// look for: float does not tell on which side of a surface a scalar lies that is nearer to it, nor which of two faces
+/// is first, and the rasteriser's grid moves places by up to 1/256 pixel.
 void addBesideSurfaces(const HardPicture& picture, std::vector<unsigned char>& mask) {
   constexpr double kGlLowered = 0x1p-22;  // lookup_resources.cpp
   constexpr double kGrid = 1.0 / 256;

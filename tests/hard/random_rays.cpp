@@ -64,8 +64,8 @@ class Moves {
     return scalars + distances;
   }
 
-  /// Any of the fragments [first, last) as the first or the last of them, or after the segment that it ends was drawn to
-  /// one of its neighbours.
+  /// Any of the fragments [first, last) as the first or the last of them, or after the segment that it ends was drawn
+  /// to one of its neighbours.
   double ofOrder(std::size_t first, std::size_t last) const {
     double most = 0;
     for (std::size_t i = first; i < last; ++i) {
@@ -81,7 +81,8 @@ class Moves {
     return most;
   }
 
-  /// Without what lies between the fragments [first, last): with inner faces before the entry, the ray is outside there.
+  /// Without what lies between the fragments [first, last): with inner faces before the entry, the ray is outside
+  /// there.
   double ofMissing(std::size_t first, std::size_t last) const {
     Fragments moved = fragments_;
     for (std::size_t i = first; i + 1 < last; ++i) moved[i].inside = false;

@@ -48,8 +48,8 @@ enum class FaceWay : std::uint8_t {
 };
 
 /// A face whose height is a smaller part of its extent in the picture is drawn pixel by pixel: float would lose the
-/// place across it. At a pixel where the face is w away, the edges' functions sum to determinant / w: what float loses of
-/// them is the greater part of that the farther it is.
+/// place across it. At a pixel where the face is w away, the edges' functions sum to determinant / w: what float loses
+/// of them is the greater part of that the farther it is.
 constexpr double kLeastHeight = 1.0 / 64;
 /// Of |perX| + |perY| and a pixel of extent: what float may be off by, in the value of an edge function. Six roundings
 /// of 2^-24 of at most the extent.

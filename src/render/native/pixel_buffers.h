@@ -112,8 +112,8 @@ class EntriesOfPixels {
 };
 
 /// Pixels whose fragments come in order: only the last one is kept. One that comes nearer is wrong, or leaves a part of
-/// the mesh where another has been entered, or one that has not been, and its pixel flagged; in all others every k gives the same segments, to
-/// the last bit.
+/// the mesh where another has been entered, or one that has not been, and its pixel flagged; in all others every k
+/// gives the same segments, to the last bit.
 template <class Lanes, template <class> class PayloadOf>
 class LastOfPixels {
  public:
@@ -133,8 +133,7 @@ class LastOfPixels {
     // Of orderBoundaries (core/kbuffer.glsl): an exit that may have to go before an entry at its place, or behind it.
     const Mask within = (last.payload.kind > Real(1.5f)) && (incoming.payload.kind < Real(-0.5f));
     const Mask outside = (last.payload.kind < Real(-0.5f)) && (incoming.payload.kind > Real(0.5f));
-    const Mask touches =
-        (within || outside) && (incoming.distance - last.distance < Real(A::kLateTolerance));
+    const Mask touches = (within || outside) && (incoming.distance - last.distance < Real(A::kLateTolerance));
     done.wrong =
         bits & (Lanes::bitsOf(incoming.distance < last.distance - Real(tile.sameDistance)) | Lanes::bitsOf(touches));
     incoming.distance = Lanes::most(incoming.distance, last.distance);

@@ -121,7 +121,9 @@ Rgba upToOpaque(const PreparedScene& prepared, const LookupFunction& lookUp, con
     if (met < low - 1e-9 || met > high + 1e-9) continue;
     const double half = 0.5 * (high - low), inside = 0x1p-22;  // opaque_surfaces.glsl
     const auto color =
-        surfaces.at(std::clamp(double{s.front}, low + std::min(half, inside * low), high - std::min(half, inside * high))).color;
+        surfaces
+            .at(std::clamp(double{s.front}, low + std::min(half, inside * low), high - std::min(half, inside * high)))
+            .color;
     return DoubleArithmetic::compositeUnder(before, {color[0], color[1], color[2], 1});
   }
   ADD_FAILURE() << "no surface at " << met;
