@@ -123,8 +123,8 @@ void addBesideSurfaces(const HardPicture& picture, std::vector<unsigned char>& m
     for (auto& surface : surfaces) surface.scalar += by;
     addChanged(picture, picture.view, {p.curve, surfaces}, mask);
   }
-  for (const double x : {-kGrid, 0.0, kGrid})
-    for (const double y : {-kGrid, 0.0, kGrid})
+  for (const double x : {-kGrid, kGrid})
+    for (const double y : {-kGrid, kGrid})
       addChanged(picture, shifted(picture.view, x, y), {p.curve, p.isosurfaces}, mask);
 }
 
@@ -160,6 +160,14 @@ bool sameSettings(const PreparedScene& a, const PreparedScene& b) {
          a.field.minimum == b.field.minimum && a.field.maximum == b.field.maximum;
 }
 
+/// With it, fragments of a pixel that is done are not looked at, also where it is done too soon: the certificate of
+/// this is of all.
+havs::Drawing withoutEarlyTermination(const HardWay& way, const HardPicture& picture) {
+  Scene scene = picture.scene;
+  scene.earlyTermination = 0;
+  return drawIn(way, scene, picture.prepared, picture.view);
+}
+
 }  // namespace
 
 std::string kindOf(const std::string& failure) { return failure.substr(0, failure.find(':')); }
@@ -177,27 +185,22 @@ double colorBesideSteps(const ExtinctionCurve& curve) {
   return std::min(1.0, kInside * steepest);
 }
 
-/// Of all fragments: with early termination those of a pixel that is done are not looked at, also where it is done too
-/// soon.
-havs::Drawing certificateOf(const HardWay& way, const HardPicture& picture, const havs::Drawing& drawing) {
-  if (!(picture.scene.earlyTermination > 0)) return drawing;
-  Scene scene = picture.scene;
-  scene.earlyTermination = 0;
-  return drawIn(way, scene, picture.prepared, picture.view);
-}
-
-std::string CaseChecker::judgeNative(const HardPicture& picture, const havs::Drawing& drawing,
-                                     const havs::Drawing& certified, bool overlaps) {
+std::string CaseChecker::judgeNative(const HardPicture& picture, const HardWay& way, const havs::Drawing& drawing,
+                                     bool overlaps) {
   if (const std::string wrong = notInRange(drawing.image, picture.scene); !wrong.empty())
     return "native out of range: " + wrong;
   if (overlaps || !isExact(picture.scene)) return "";
   const double besideSteps = colorBesideSteps(picture.prepared.curve);
   double bound = HardBounds{}.native + besideSteps;
-  if (picture.scene.earlyTermination > 0) bound += 1 - picture.scene.earlyTermination;
+  std::optional<havs::Drawing> whole;
+  if (picture.scene.earlyTermination > 0) {
+    bound += 1 - picture.scene.earlyTermination;
+    whole = withoutEarlyTermination(way, picture);
+  }
   std::vector<char> hard(picture.truth.rgba.size() / 4);
   bool any = false;
   for (std::size_t i = 0; i < hard.size(); ++i) {
-    if (isLate(certified, i)) {
+    if (isLate(whole ? *whole : drawing, i)) {
       ++tally_.late;
       continue;
     }
@@ -280,7 +283,7 @@ std::string CaseChecker::drawn(const RandomCase& c, const HardWay* openGl) {
   const havs::Drawing drawing = drawIn(native, scene, picture.prepared, picture.view);
   if (const std::string wrong = notInRange(picture.truth, scene); !wrong.empty())
     return "reference out of range: " + wrong;
-  std::string failure = judgeNative(picture, drawing, certificateOf(native, picture, drawing), c.overlaps);
+  std::string failure = judgeNative(picture, native, drawing, c.overlaps);
   if (failure.empty()) {
     scene.instructionSet = "scalar";
     const std::string bits = differenceInBits(drawIn(native, scene, picture.prepared, picture.view), drawing);

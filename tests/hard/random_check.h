@@ -32,7 +32,7 @@ class CaseChecker {
 
  private:
   std::string drawn(const RandomCase& c, const HardWay* openGl);
-  std::string judgeNative(const HardPicture& picture, const havs::Drawing& drawing, const havs::Drawing& certified,
+  std::string judgeNative(const HardPicture& picture, const HardWay& way, const havs::Drawing& drawing,
                           bool overlaps);
   std::string judgeOpenGl(const HardPicture& picture, const HardWay& way, bool overlaps);
   std::string judgeFewerCells(const RandomCase& c, const HardPicture& picture);

@@ -98,11 +98,13 @@ std::optional<View> viewAcross(const PreparedScene& prepared, Scene& scene, cons
   return std::nullopt;
 }
 
-TEST_P(NativeAccuracy, EyeWithinTheBoundingSphere) {
+class NativeWithinTheSphere : public NativeAccuracy {};
+
+TEST_P(NativeWithinTheSphere, EyeBesideTheMesh) {
   Scene scene = exactScene("viridis", GetParam().size / 2);
   NativeScene drawn(scene, mesh_);
   const auto eye = placeBesideTheMesh(drawn.prepared);
-  if (!eye) GTEST_SKIP() << "the mesh fills its bounding sphere";
+  ASSERT_TRUE(eye);
   const auto view = viewAcross(drawn.prepared, drawn.scene, *eye);
   ASSERT_TRUE(view);
   drawn.view = *view;
@@ -114,6 +116,16 @@ TEST_P(NativeAccuracy, EyeWithinTheBoundingSphere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, NativeAccuracy, testing::ValuesIn(meshesDrawn()),
+                         [](const testing::TestParamInfo<MeshDrawn>& row) { return row.param.name; });
+
+/// A ball fills its bounding sphere.
+std::vector<MeshDrawn> meshesWithRoomBeside() {
+  std::vector<MeshDrawn> some = meshesDrawn();
+  std::erase_if(some, [](const MeshDrawn& mesh) { return mesh.name == "Ball"; });
+  return some;
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, NativeWithinTheSphere, testing::ValuesIn(meshesWithRoomBeside()),
                          [](const testing::TestParamInfo<MeshDrawn>& row) { return row.param.name; });
 
 }  // namespace
