@@ -1,9 +1,13 @@
 # havs_test(LABEL NAME SOURCES a.cpp ... LINK havs::mesh ...): one GoogleTest program, its cases found by ctest
-# under the name LABEL.Suite.Case and the label LABEL (unit, gl, image, cli, hard).
+# under the name LABEL.Suite.Case and the label LABEL (unit, gl, image, cli, hard). APART: its files use the same names,
+# so each is compiled by itself, also where the preset compiles several as one.
 function(havs_test label name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "" "SOURCES;LINK" ${ARGN})
   set(target test_${label}_${name})
   add_executable(${target} ${ARG_SOURCES})
+  if(ARG_APART)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  endif()
   if(NOT TARGET tests_${label})  # all programs of a label, and what they open or run
     add_custom_target(tests_${label})
     add_dependencies(tests_${label} havs)

@@ -120,9 +120,14 @@ FUNCTION void orderBoundaries(INOUT(Fragment) first, INOUT(Fragment) second, Rea
   second.payload = selectPayload(turned, kept, second.payload);
 }
 
-// `front` has left; `rest` is what is left behind it: as above.
+// `front` has left; `rest` is what is left behind it: as above. A single entry has no other behind it to change places
+// with; it does so with the front.
 FUNCTION Segment leaveBefore(INOUT(PixelState) state, Fragment front, INOUT(KBuffer) rest) {
-  orderBoundaries(rest.entry[0], rest.entry[HAVS_K > 1 ? 1 : 0], state.inside + kindOf(front.payload));
+  if (HAVS_K > 1) {
+    orderBoundaries(rest.entry[0], rest.entry[HAVS_K > 1 ? 1 : 0], state.inside + kindOf(front.payload));
+  } else {
+    orderBoundaries(front, rest.entry[0], state.inside);
+  }
   return leave(state, front, rest.entry[0]);
 }
 

@@ -26,6 +26,9 @@ class ThreadLimit {
   std::unique_ptr<tbb::global_control> control_;
 };
 
+/// A grain for loops that do a few sums for each of their indices.
+inline constexpr std::size_t kGrain = 8192;
+
 /// Calls body(first, last) on disjoint blocks of at least `grain` indices that cover [begin, end), from several
 /// threads.
 template <class Body>

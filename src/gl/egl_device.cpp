@@ -17,7 +17,7 @@ namespace havs {
 
 namespace {
 
-constexpr std::array kLibraryNames = {"libEGL.so.1", "libEGL.so"};
+constexpr std::array kEglNames = {"libEGL.so.1", "libEGL.so"};
 constexpr EGLint kMaxDevices = 16;
 
 // clang-format off
@@ -25,7 +25,7 @@ constexpr EGLint kDesktopOpenGl[] = {
     EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
     EGL_SURFACE_TYPE, EGL_DONT_CARE,
     EGL_NONE};
-constexpr EGLint kCore45[] = {
+constexpr EGLint kEglCore45[] = {
     EGL_CONTEXT_MAJOR_VERSION, 4,
     EGL_CONTEXT_MINOR_VERSION, 5,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
@@ -34,7 +34,7 @@ constexpr EGLint kCore45[] = {
 
 /// libEGL, opened when asked for.
 struct Egl {
-  SharedLibrary library{kLibraryNames, "install libegl1 and libegl-mesa0, or try --device osmesa or native"};
+  SharedLibrary library{kEglNames, "install libegl1 and libegl-mesa0, or try --device osmesa or native"};
   decltype(&eglGetProcAddress) getProcAddress = library.function<decltype(eglGetProcAddress)>("eglGetProcAddress");
   decltype(&eglQueryString) queryString = library.function<decltype(eglQueryString)>("eglQueryString");
   decltype(&eglGetDisplay) getDisplay = library.function<decltype(eglGetDisplay)>("eglGetDisplay");
@@ -108,7 +108,7 @@ class EglContext {
     EGLint configs = 0;
     if (!egl_.bindApi(EGL_OPENGL_API)) return "no desktop OpenGL";
     if (!egl_.chooseConfig(display_, kDesktopOpenGl, &config, 1, &configs) || configs < 1) return "no configuration";
-    context_ = egl_.createContext(display_, config, EGL_NO_CONTEXT, kCore45);
+    context_ = egl_.createContext(display_, config, EGL_NO_CONTEXT, kEglCore45);
     if (context_ == EGL_NO_CONTEXT) return "no OpenGL 4.5 core";
     if (!egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return "cannot be made current";
     return nullptr;

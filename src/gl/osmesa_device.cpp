@@ -14,10 +14,10 @@ namespace havs {
 
 namespace {
 
-constexpr std::array kLibraryNames = {"libOSMesa.so.8", "libOSMesa.so"};
+constexpr std::array kOsMesaNames = {"libOSMesa.so.8", "libOSMesa.so"};
 
 // clang-format off
-constexpr int kCore45[] = {
+constexpr int kOsMesaCore45[] = {
     OSMESA_FORMAT, OSMESA_RGBA,
     OSMESA_DEPTH_BITS, 0,
     OSMESA_STENCIL_BITS, 0,
@@ -34,16 +34,16 @@ SharedLibrary openOsmesa() {
   if (driver && *driver && std::string_view(driver) != "llvmpipe")
     failRunning(std::string("OSMesa cannot draw with GALLIUM_DRIVER=") + driver, "--device osmesa",
                 "unset it, or try --device egl or native");
-  return {kLibraryNames, "install libosmesa6, or try --device egl or native"};
+  return {kOsMesaNames, "install libosmesa6, or try --device egl or native"};
 }
 
 class OsmesaDevice : public Device {
  public:
   OsmesaDevice()
       : library_(openOsmesa()),
-        context_(
-            library_.function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(kCore45, nullptr),
-            library_.function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")) {
+        context_(library_.function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(kOsMesaCore45,
+                                                                                                       nullptr),
+                 library_.function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")) {
     if (!context_) {
       failRunning("OSMesa cannot make an OpenGL 4.5 core context", "--device osmesa",
                   "unset MESA_GL_VERSION_OVERRIDE, or try --device egl or native");

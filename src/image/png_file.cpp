@@ -9,16 +9,12 @@
 
 #include "core/error.h"
 #include "image/background.h"
+#include "image/file_pointer.h"
 #include "image/formats.h"
 
 namespace havs {
 namespace fs = std::filesystem;
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Where libpng's errors go: kept as text, then back to the caller's setjmp.
 struct PngMessages {

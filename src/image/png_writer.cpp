@@ -16,6 +16,7 @@
 
 #include "core/parallel.h"
 #include "image/background.h"
+#include "image/file_pointer.h"
 #include "image/formats.h"
 
 namespace havs {
@@ -42,8 +43,8 @@ class Rows {
   std::vector<std::uint8_t> filtered() const {
     const auto height = static_cast<std::size_t>(image_.height);
     std::vector<std::uint8_t> result(height * (1 + bytes_));
-    constexpr std::size_t kGrain = 16;  // each block makes the row above its first one again
-    parallelBlocks(0, height, kGrain, [&](std::size_t first, std::size_t last) {
+    constexpr std::size_t kRows = 16;  // each block makes the row above its first one again
+    parallelBlocks(0, height, kRows, [&](std::size_t first, std::size_t last) {
       std::vector<std::uint8_t> above(bytes_, 0), row(bytes_);
       if (first > 0) pack(first - 1, above);
       for (std::size_t y = first; y < last; ++y) {
@@ -139,14 +140,10 @@ bool writeData(std::FILE* file, std::span<const std::uint8_t> data) {
   return true;
 }
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 }  // namespace
 
 bool writePng(const Image& image, const std::filesystem::path& file, const ImageFileOptions& options) {
-  const std::unique_ptr<std::FILE, CloseFile> opened(std::fopen(file.c_str(), "wb"));
+  const FilePointer opened(std::fopen(file.c_str(), "wb"));
   if (!opened) return false;
   const std::vector<std::uint8_t> data = deflated(Rows(image, options).filtered());
   std::FILE* const stream = opened.get();

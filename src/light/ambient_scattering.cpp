@@ -21,9 +21,9 @@ Vec3 ViewRays::at(const Vec3& point) const {
 std::vector<double> ambientScattering(const ScatteringData& data, std::span<const Light> lights,
                                       const ScatteredLight& scattered, std::span<const Vec3> points,
                                       const ViewRays& view, PointMask mask) {
-  constexpr std::size_t kGrain = 1024;
+  constexpr std::size_t kPoints = 1024;
   std::vector<double> sums(points.size(), 0.0);
-  parallelFor(0, points.size(), kGrain, [&](std::size_t p) {
+  parallelFor(0, points.size(), kPoints, [&](std::size_t p) {
     if (!isIn(mask, p)) return;
     const Vec3 ray = view.at(points[p]);
     for (std::size_t l = 0; l < lights.size(); ++l) {

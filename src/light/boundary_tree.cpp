@@ -8,7 +8,7 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kNodes = 2048;
 /// By which boxes are widened: more than any rounding of places of the local frame, in the tree or in the rays that
 /// look for faces.
 constexpr double kMargin = 1e-9;
@@ -25,14 +25,14 @@ BoundaryTree::BoundaryTree(std::span<const Vec3> points, const Faces& faces) {
     if (faces.isBoundary(f)) boundary.push_back(static_cast<Index>(f));
   if (boundary.empty()) return;
   std::vector<Vec3> centers(boundary.size());
-  parallelFor(0, boundary.size(), kGrain, [&](std::size_t i) {
+  parallelFor(0, boundary.size(), kNodes, [&](std::size_t i) {
     const auto [a, b, c] = faces.vertices[boundary[i]];
     centers[i] = (points[a] + points[b] + points[c]) / 3.0;
   });
   for (const Index i : spatialNumbers(centers, {}).points) faces_.push_back(boundary[i]);
 
   levels_.emplace_back((faces_.size() + kWidth - 1) / kWidth);
-  parallelFor(0, levels_[0].size(), kGrain, [&](std::size_t box) {
+  parallelFor(0, levels_[0].size(), kNodes, [&](std::size_t box) {
     Vec3 low = points[faces.vertices[faces_[box * kWidth]][0]], high = low;
     for (std::size_t i = box * kWidth; i < std::min((box + 1) * kWidth, faces_.size()); ++i)
       for (const Index v : faces.vertices[faces_[i]]) {
@@ -47,7 +47,7 @@ BoundaryTree::BoundaryTree(std::span<const Vec3> points, const Faces& faces) {
 void BoundaryTree::addLevel() {
   const std::vector<Box>& below = levels_.back();
   std::vector<Box> level((below.size() + kWidth - 1) / kWidth);
-  parallelFor(0, level.size(), kGrain, [&](std::size_t box) {
+  parallelFor(0, level.size(), kNodes, [&](std::size_t box) {
     Vec3 low = below[box * kWidth].center, high = low;
     for (std::size_t i = box * kWidth; i < std::min((box + 1) * kWidth, below.size()); ++i) {
       low = min(low, below[i].center - below[i].half);

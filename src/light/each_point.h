@@ -7,8 +7,8 @@ namespace havs {
 /// Calls body(rays, p) for each point of the mask, from several threads; rays start at p.
 template <class Body>
 void forEachPoint(const MeshTracer& tracer, PointMask mask, const Body& body) {
-  constexpr std::size_t kGrain = 64;
-  parallelBlocks(0, tracer.medium().points.size(), kGrain, [&](std::size_t first, std::size_t last) {
+  constexpr std::size_t kPoints = 64;
+  parallelBlocks(0, tracer.medium().points.size(), kPoints, [&](std::size_t first, std::size_t last) {
     PointRays rays(tracer);
     for (std::size_t p = first; p < last; ++p) {
       if (!isIn(mask, p)) continue;

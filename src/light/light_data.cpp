@@ -15,8 +15,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
-
 Medium mediumOf(const PreparedScene& scene) {
   return {scene.points, scene.mesh.tetrahedra, scene.faces, scene.scalars, scene.facts().cellData, scene.curve};
 }

@@ -8,7 +8,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
 /// How far before the end of one stretch inside the mesh another may begin, for parts that touch: rounding decides
 /// which comes first. It may be large: the stretch that has been followed already is known by the cell that it began
 /// in.

@@ -7,9 +7,7 @@
 #include "core/parallel.h"
 
 namespace havs {
-namespace {
-constexpr std::size_t kGrain = 8192;
-}
+namespace {}
 
 PointCells::PointCells(std::size_t points, std::span<const Tetrahedron> cells) : first_(points + 1, 0) {
   const auto atomically = [](std::size_t& count) { return std::atomic_ref(count); };

@@ -9,7 +9,7 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 1024;
+constexpr std::size_t kPointsOfBlock = 1024;
 /// Volume of a cell that counts as flat, in cubes of its longest edge (mesh/defects.h).
 constexpr double kFlat = 1e-15;
 
@@ -55,7 +55,7 @@ Vec3 gradientAt(Index p, std::span<const Vec3> points, std::span<const Tetrahedr
 std::vector<double> pointAverages(std::span<const Vec3> points, std::span<const Tetrahedron> cells,
                                   const PointCells& around, std::span<const double> cellScalars) {
   std::vector<double> values(points.size(), 0.0);
-  parallelFor(0, points.size(), kGrain, [&](std::size_t p) {
+  parallelFor(0, points.size(), kPointsOfBlock, [&](std::size_t p) {
     double sum = 0, weight = 0, plainSum = 0;
     for (const Index c : around.of(p)) {
       const double volume = std::max(0.0, Corner(static_cast<Index>(p), cells[c], points).sixVolumes());
@@ -76,7 +76,7 @@ std::vector<Vec3> pointGradients(std::span<const Vec3> points, std::span<const T
   if (cellData) averages = pointAverages(points, cells, around, scalars);
   const std::span<const double> values = cellData ? std::span<const double>(averages) : scalars;
   std::vector<Vec3> gradients(points.size(), Vec3(0));
-  parallelFor(0, points.size(), kGrain, [&](std::size_t p) {
+  parallelFor(0, points.size(), kPointsOfBlock, [&](std::size_t p) {
     if (isIn(mask, p)) gradients[p] = gradientAt(static_cast<Index>(p), points, cells, around.of(p), values);
   });
   return gradients;

@@ -16,8 +16,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
-
 /// How many of [0, n) have a property, and the first that has.
 struct Tally {
   std::size_t count = 0;

@@ -15,8 +15,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
-
 /// The vertices of a cell in ascending order.
 struct Ascending {
   std::array<Index, 4> vertex;

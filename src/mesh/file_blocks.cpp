@@ -42,9 +42,9 @@ FileText::FileText(const std::filesystem::path& file) {
   size_ = blocks.size();
   needMemory(static_cast<double>(size_), "its text", file.string(), "convert it to .vtu, which is read in pieces");
   text_ = std::make_unique_for_overwrite<char[]>(size_);
-  constexpr std::size_t kGrain = 1 << 20;
+  constexpr std::size_t kBytesOfBlock = 1 << 20;
   std::atomic<bool> whole = true;
-  parallelBlocks(0, size_, kGrain, [&](std::size_t first, std::size_t last) {
+  parallelBlocks(0, size_, kBytesOfBlock, [&](std::size_t first, std::size_t last) {
     if (!blocks.read(first, std::span(text_.get() + first, last - first))) whole = false;
   });
   if (!whole) failInput("cannot be read to its end", file.string(), "check the disk and permissions");

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
+
 namespace havs {
-namespace {
-
-constexpr std::size_t kGrain = 16384;
-
-}  // namespace
 
 std::vector<double> levelsOf(std::span<const Vec3> localPoints, const HalfSpace& halfSpace) {
   std::vector<double> levels(localPoints.size());

@@ -9,9 +9,7 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
-
-struct Box {
+struct Bounds {
   Vec3 low{std::numeric_limits<double>::infinity()};
   Vec3 high{-std::numeric_limits<double>::infinity()};
 };
@@ -29,11 +27,11 @@ double greatest(const TetMesh& mesh, const Measure& measure) {
       [](double a, double b) { return std::max(a, b); });
 }
 
-Box boundingBox(const TetMesh& mesh) {
+Bounds boundingBox(const TetMesh& mesh) {
   return parallelReduce(
-      0, mesh.tetrahedra.size(), kGrain, Box{},
+      0, mesh.tetrahedra.size(), kGrain, Bounds{},
       [&](std::size_t first, std::size_t last) {
-        Box box;
+        Bounds box;
         for (std::size_t c = first; c < last; ++c)
           for (const Index v : mesh.tetrahedra[c]) {
             box.low = min(box.low, mesh.points[v]);
@@ -41,8 +39,8 @@ Box boundingBox(const TetMesh& mesh) {
           }
         return box;
       },
-      [](const Box& a, const Box& b) {
-        return Box{min(a.low, b.low), max(a.high, b.high)};
+      [](const Bounds& a, const Bounds& b) {
+        return Bounds{min(a.low, b.low), max(a.high, b.high)};
       });
 }
 
@@ -51,7 +49,7 @@ Box boundingBox(const TetMesh& mesh) {
 LocalFrame localFrame(const TetMesh& mesh) {
   LocalFrame frame;
   if (mesh.tetrahedra.empty()) return frame;
-  const Box box = boundingBox(mesh);
+  const Bounds box = boundingBox(mesh);
   frame.center = box.low / 2.0 + box.high / 2.0;  // their sum may overflow
   const Vec3 half = frame.halfSize = box.high / 2.0 - box.low / 2.0;
   // Lengths are squared only after division by this one, so that nothing overflows or underflows.

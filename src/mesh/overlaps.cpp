@@ -18,7 +18,7 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 256;
+constexpr std::size_t kFewCells = 256;
 constexpr std::size_t kWidth = 8;
 /// In radii. Distances less than this apart are the same to the k-buffer (core/kbuffer.glsl), too.
 constexpr double kDepth = 1e-6;
@@ -95,7 +95,7 @@ class CellTree {
   template <class BoxOf>
   void addLevel(std::size_t count, const BoxOf& boxOfItem) {
     std::vector<Box> level((count + kWidth - 1) / kWidth);
-    parallelFor(0, level.size(), kGrain, [&](std::size_t i) {
+    parallelFor(0, level.size(), kFewCells, [&](std::size_t i) {
       level[i] = boxOfItem(i * kWidth);
       for (std::size_t j = i * kWidth + 1; j < std::min(count, (i + 1) * kWidth); ++j)
         level[i] = joined(level[i], boxOfItem(j));
@@ -130,7 +130,7 @@ OverlappingCells overlappingCells(const TetMesh& mesh, const Faces& faces, std::
   std::vector<char> overlaps(cells, 0);
   std::atomic<bool> any = false;
   const auto look = [&](bool atBoundary) {
-    parallelFor(0, cells, kGrain, [&](std::size_t c) {
+    parallelFor(0, cells, kFewCells, [&](std::size_t c) {
       const auto& ofCell = faces.ofCell[c];
       if (atBoundary != std::any_of(ofCell.begin(), ofCell.end(), [&](Index f) { return faces.isBoundary(f); })) return;
       tree.visitNear(c, [&](std::size_t other) {

@@ -17,7 +17,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
 constexpr int kMagnitude = -1;
 
 /// What a name means: a field of the mesh and one of its components, or its magnitude.

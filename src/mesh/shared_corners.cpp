@@ -13,8 +13,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
-
 /// The points of a cell or face but the lowest, in order, and the cell's number.
 template <std::size_t N>
 struct Entry {

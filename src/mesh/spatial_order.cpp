@@ -10,7 +10,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// Puts two zero bits before each of the ten low bits.
@@ -22,16 +21,16 @@ std::uint32_t spread(std::uint32_t x) {
   return x;
 }
 
-struct Box {
+struct Bounds {
   Vec3 low{kLargest};
   Vec3 high{-kLargest};
 };
 
-Box boxOf(std::span<const Vec3> points) {
+Bounds boundsOf(std::span<const Vec3> points) {
   return parallelReduce(
-      0, points.size(), kGrain, Box{},
+      0, points.size(), kGrain, Bounds{},
       [&](std::size_t first, std::size_t last) {
-        Box box;
+        Bounds box;
         for (std::size_t i = first; i < last; ++i) {
           if (!isFinite(points[i])) continue;
           box.low = min(box.low, points[i]);
@@ -39,15 +38,15 @@ Box boxOf(std::span<const Vec3> points) {
         }
         return box;
       },
-      [](const Box& a, const Box& b) {
-        return Box{min(a.low, b.low), max(a.high, b.high)};
+      [](const Bounds& a, const Bounds& b) {
+        return Bounds{min(a.low, b.low), max(a.high, b.high)};
       });
 }
 
 /// Places within a box as numbers along the curve. Halves are taken before sums, so that nothing overflows.
 class MortonCode {
  public:
-  explicit MortonCode(const Box& box) : middle_(0.5 * box.low + 0.5 * box.high) {
+  explicit MortonCode(const Bounds& box) : middle_(0.5 * box.low + 0.5 * box.high) {
     const Vec3 half = 0.5 * box.high - 0.5 * box.low;
     const double largest = std::max({half.x, half.y, half.z});
     perUnit_ = largest > 0 && largest < kLargest ? 512 / largest : 0;
@@ -78,7 +77,7 @@ std::vector<Index> sortedAlong(const MortonCode& code, std::size_t count, const 
 }  // namespace
 
 SpatialNumbers spatialNumbers(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
-  const MortonCode code(boxOf(points));
+  const MortonCode code(boundsOf(points));
   return {sortedAlong(code, points.size(), [&](std::size_t i) { return points[i]; }),
           sortedAlong(code, tetrahedra.size(), [&](std::size_t c) {
             const auto& [i, j, k, l] = tetrahedra[c];

@@ -62,8 +62,8 @@ OutlineLines outlineLines(const Vec3& halfSize, const View& view) {
 
 void addOutline(Image& image, const Outline& outline, const Vec3& halfSize, const View& view) {
   const OutlineLines lines = outlineLines(halfSize, view);
-  constexpr std::size_t kGrain = 16;
-  parallelBlocks(0, static_cast<std::size_t>(image.height), kGrain, [&](std::size_t first, std::size_t last) {
+  constexpr std::size_t kRows = 16;
+  parallelBlocks(0, static_cast<std::size_t>(image.height), kRows, [&](std::size_t first, std::size_t last) {
     Coverage over(static_cast<std::size_t>(image.width)), under(over.size());
     for (auto y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
       cover(over, lines.front, y, outline.width);

@@ -5,8 +5,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
-
 /// At a normalised scalar.
 ColorAndExtinction colorAt(const ExtinctionCurve& curve, double scalar) {
   const ExtinctionCurve::Knot knot = curve.at(scalar);

@@ -12,8 +12,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 16384;
-
 HalfSpace halfSpace(const Vec3& localPoint, const Vec3& normal) {
   const Vec3 a = abs(normal);
   const Vec3 scaled = normal / std::max({a.x, a.y, a.z});  // its square neither overflows nor vanishes

@@ -12,8 +12,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 16384;
-
 ShownScalars shownScalars(const PreparedScene& prepared, const WhatShows& shows) {
   if (!shows.isosurfaces) return {prepared.curve, shows.volume, {}};
   return {prepared.curve, shows.volume, prepared.isosurfaces};

@@ -23,7 +23,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
 constexpr std::size_t kCellsOfPiece = 16384;
 
 /// On which side of a face, as oriented by Faces, the eye is.

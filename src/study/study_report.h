@@ -17,6 +17,9 @@ struct Spread {
   double median = 0, least = 0, most = 0;
 };
 
+/// Of no values: zeros.
+Spread spreadOf(const std::vector<double>& values);
+
 /// A run and all that was measured of it.
 struct RunReport {
   PlannedRun run;

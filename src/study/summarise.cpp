@@ -28,12 +28,6 @@ StageMilliseconds stagesOf(const std::vector<VisitRecord>& visits, const std::st
   return medians;
 }
 
-Spread spreadOf(const std::vector<double>& values) {
-  if (values.empty()) return {};
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return {medianOf(values), *least, *most};
-}
-
 struct Measured {
   std::vector<double> wall, cpu, table, prepare;
   std::optional<Quality> quality;
@@ -140,6 +134,12 @@ std::map<std::string, Series> seriesOf(const std::vector<RunReport>& runs) {
 }
 
 }  // namespace
+
+Spread spreadOf(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {medianOf(values), *least, *most};
+}
 
 std::vector<RunReport> summarise(const std::vector<PlannedRun>& runs, const StudyRecords& records) {
   const std::map<std::string, Measured> measured = byRun(records);

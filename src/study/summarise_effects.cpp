@@ -8,12 +8,6 @@
 namespace havs {
 namespace {
 
-Spread spreadOf(const std::vector<double>& values) {
-  if (values.empty()) return {};
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return {medianOf(values), *least, *most};
-}
-
 const RunReport* baselineOf(const std::vector<RunReport>& runs, const std::string& subject) {
   for (const RunReport& run : runs)
     if (run.run.subject == subject && run.run.kind == RunKind::baseline) return &run;

@@ -12,7 +12,7 @@
 namespace havs {
 namespace {
 
-constexpr int kLargestSize = 4096;
+constexpr int kLargestSize2d = 4096;
 
 void fill(MeanTable2d& table, const ExtinctionCurve& curve, const TouchedLines& touched) {
   const std::size_t size = table.size;
@@ -33,7 +33,7 @@ void fill(MeanTable2d& table, const ExtinctionCurve& curve, const TouchedLines& 
 }  // namespace
 
 MeanTable2d buildMeanTable2d(const ExtinctionCurve& curve, int size, double length) {
-  if (size < 2 || size > kLargestSize)
+  if (size < 2 || size > kLargestSize2d)
     failInput(fmt::format("a table of {} entries along each axis", size), "table size", "choose 2 to 4096");
   if (!(length > 0 && std::isfinite(length))) failInput(fmt::format("length {} is not positive", length), "table");
   MeanTable2d table{.size = size, .length = length, .rgba = {}};

@@ -14,12 +14,12 @@
 namespace havs {
 namespace {
 
-constexpr int kLargestSize = 512;
+constexpr int kLargestSize3d = 512;
 /// Where a segment has no length, its mean colour is the limit for short ones.
 constexpr double kShortest = 1e-9;
 
 void requireSizeAndLength(int size, double length) {
-  if (size < 2 || size > kLargestSize)
+  if (size < 2 || size > kLargestSize3d)
     failInput(fmt::format("a table of {} entries along each axis", size), "table size", "choose 2 to 512");
   if (!(length > 0 && std::isfinite(length))) failInput(fmt::format("length {} is not positive", length), "table");
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_keys.h"
 #include "cli/run_havs.h"
 #include "cli/sample_files.h"
 #include "image/image.h"
@@ -27,12 +28,6 @@ class Render : public testing::Test {
 
   TemporaryFolder folder;
 };
-
-std::vector<std::string> keysOf(const nlohmann::json& object) {
-  std::vector<std::string> keys;
-  for (const auto& item : object.items()) keys.push_back(item.key());
-  return keys;
-}
 
 TEST_F(Render, JsonHoldsEveryKey) {
   const auto json = nlohmann::json::parse(render({"-o", "a.png", "--json"}));

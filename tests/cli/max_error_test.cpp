@@ -49,7 +49,7 @@ class MaxErrorRefusal : public RefusedRun {};
 
 TEST_P(MaxErrorRefusal, IsRefused) { expectRefused(GetParam()); }
 
-const std::vector<Refused> kRefused{
+const std::vector<Refused> kRefusedErrors{
     {"Zero", {"render", "cube.node", "-o", "a.png", "--max-error", "0"}, "--max-error"},
     {"NotANumber", {"render", "cube.node", "-o", "a.png", "--max-error", "nan"}, "--max-error"},
     {"Word", {"render", "cube.node", "-o", "a.png", "--max-error", "small"}, "--max-error"},
@@ -63,7 +63,7 @@ const std::vector<Refused> kRefused{
      "the best reached",
      1},
 };
-INSTANTIATE_TEST_SUITE_P(Refused, MaxErrorRefusal, testing::ValuesIn(kRefused), nameOfCase);
+INSTANTIATE_TEST_SUITE_P(Refused, MaxErrorRefusal, testing::ValuesIn(kRefusedErrors), nameOfCase);
 
 }  // namespace
 }  // namespace havs::test

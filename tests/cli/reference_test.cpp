@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_keys.h"
 #include "cli/run_havs.h"
 #include "cli/sample_files.h"
 #include "image/image.h"
@@ -30,12 +31,6 @@ class Reference : public testing::Test {
 
   TemporaryFolder folder;
 };
-
-std::vector<std::string> keysOf(const nlohmann::json& object) {
-  std::vector<std::string> keys;
-  for (const auto& item : object.items()) keys.push_back(item.key());
-  return keys;
-}
 
 TEST_F(Reference, JsonHoldsWhatHasAMeaning) {
   const auto json = nlohmann::json::parse(reference({"-o", "a.png", "--json"}));

@@ -8,7 +8,7 @@ class StudyRefusal : public RefusedRun {};
 
 TEST_P(StudyRefusal, IsRefused) { expectRefused(GetParam()); }
 
-const std::vector<Refused> kRefused{
+const std::vector<Refused> kRefusedStudies{
     {"NoMesh", {"study", "--out", "out"}, "INPUT"},
     {"NoFolder", {"study", "cube.node"}, "--out"},
     {"MissingMesh", {"study", "cube.node", "none.node", "--out", "out"}, "none.node"},
@@ -27,7 +27,7 @@ const std::vector<Refused> kRefused{
     {"UnknownField", {"study", "cube.node", "--out", "out", "--field", "none"}, "none"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Refused, StudyRefusal, testing::ValuesIn(kRefused), nameOfCase);
+INSTANTIATE_TEST_SUITE_P(Refused, StudyRefusal, testing::ValuesIn(kRefusedStudies), nameOfCase);
 
 /// A folder that holds another study keeps it.
 class StoredStudy : public RefusedRun {};

@@ -11,7 +11,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 16384;
 constexpr GLuint kFirstUnit = 8;  // behind the lookup's textures
 
 std::vector<std::array<float, 4>> pointsOf(const PreparedScene& prepared) {

@@ -8,7 +8,6 @@
 namespace havs {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
 constexpr std::size_t kBlocks = 32;  // more would need more memory for the counts of large pictures
 
 constexpr std::int32_t kBehindEye = -1;

@@ -55,14 +55,14 @@ double meanSsim(const Image& a, const Image& b, int c, const std::vector<unsigne
 }
 
 /// Moments about zero lose at most some 1e-16 of squares below 1, against C2 = 9e-4.
-constexpr double kRounding = 1e-12;
+constexpr double kSsimRounding = 1e-12;
 
 TEST(Ssim, EqualsTheDefinitionSummedDirectly) {
   for (const auto& [width, height] : {std::pair{37, 23}, {11, 11}, {12, 40}, {64, 7}, {3, 30}, {5, 4}, {1, 1}}) {
     const Image a = test::noise(width, height, 3), b = test::disturbed(a, 0.3, 4);
     const auto ssim = structuralSimilarity(a, b);
     for (int c = 0; c < 4; ++c)
-      EXPECT_NEAR(ssim[static_cast<std::size_t>(c)], meanSsim(a, b, c), kRounding) << width << "x" << height;
+      EXPECT_NEAR(ssim[static_cast<std::size_t>(c)], meanSsim(a, b, c), kSsimRounding) << width << "x" << height;
   }
 }
 
@@ -70,7 +70,7 @@ TEST(Ssim, LeavesOutMaskedCentres) {
   const Image a = test::noise(30, 20, 3), b = test::disturbed(a, 0.3, 4);
   std::vector<unsigned char> mask(600);
   for (std::size_t i = 0; i < mask.size(); i += 3) mask[i] = 1;
-  EXPECT_NEAR(structuralSimilarity(a, b, mask)[1], meanSsim(a, b, 1, mask), kRounding);
+  EXPECT_NEAR(structuralSimilarity(a, b, mask)[1], meanSsim(a, b, 1, mask), kSsimRounding);
 }
 
 TEST(Ssim, NoCentreLeftIsNotANumber) {
@@ -85,7 +85,7 @@ TEST(Ssim, OfConstantPictures) {
   const double u = 0.75, v = 0.25;
   const double expected = (2 * u * v + kC1) / (u * u + v * v + kC1);
   for (const double ssim : structuralSimilarity(constantImage(20, 15, u), constantImage(20, 15, v)))
-    EXPECT_NEAR(ssim, expected, kRounding);
+    EXPECT_NEAR(ssim, expected, kSsimRounding);
 }
 
 /// One bright pixel v under the only window against black: with w its weight, mean w v, variance w (1 - w) v^2.
@@ -98,7 +98,7 @@ TEST(Ssim, OfOneBrightPixel) {
     const double expected = kC1 * kC2 / ((w * v * w * v + kC1) * (w * (1 - w) * v * v + kC2));
     const Image bright =
         madeImage(11, 11, [x = x, y = y](int px, int py, int) { return px == x && py == y ? 0.5 : 0.0; });
-    EXPECT_NEAR(structuralSimilarity(bright, constantImage(11, 11, 0))[2], expected, kRounding);
+    EXPECT_NEAR(structuralSimilarity(bright, constantImage(11, 11, 0))[2], expected, kSsimRounding);
   }
 }
 
@@ -115,10 +115,10 @@ TEST(Ssim, IsThatOfScikitImage) {
   const Image b =
       madeImage(40, 30, [&](int x, int y, int c) { return (wave(x, y, c) + (3 * x + y + c) % 5) % 64 / 64.0; });
   const auto ssim = structuralSimilarity(a, b);
-  EXPECT_NEAR(ssim[0], 0.8475247968438556, kRounding);
-  EXPECT_NEAR(ssim[1], 0.7977588657849869, kRounding);
-  EXPECT_NEAR(ssim[2], 0.8586742088791840, kRounding);
-  EXPECT_NEAR(ssim[3], 0.8588794163119646, kRounding);
+  EXPECT_NEAR(ssim[0], 0.8475247968438556, kSsimRounding);
+  EXPECT_NEAR(ssim[1], 0.7977588657849869, kSsimRounding);
+  EXPECT_NEAR(ssim[2], 0.8586742088791840, kSsimRounding);
+  EXPECT_NEAR(ssim[3], 0.8588794163119646, kSsimRounding);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace havs::test {
 namespace {
 
 constexpr double kKappa = 1.3;
-constexpr double kTurned = 1e-10;  // mesh_tracer_test.cpp: 35 times the turn of a ray, times kappa
+constexpr double kShadowTurned = 1e-10;  // mesh_tracer_test.cpp: 35 times the turn of a ray, times kappa
 
 TEST(Shadows, ConstantBoxAtEveryPoint) {
   const LightScene scene = constantScene(box(6, Cut::six, 0.2), kKappa);
@@ -20,7 +20,7 @@ TEST(Shadows, ConstantBoxAtEveryPoint) {
     const std::vector<double> found = shadows(tracer, {Light::Kind::directional, towards});
     for (std::size_t p = 0; p < found.size(); ++p) {
       const double l = throughBox(scene.mesh.points[p], normalize(towards), Vec3(-1), Vec3(1)).length();
-      EXPECT_NEAR(found[p], std::exp(-kKappa * l), kTurned);
+      EXPECT_NEAR(found[p], std::exp(-kKappa * l), kShadowTurned);
     }
   }
 }
@@ -38,7 +38,7 @@ TEST(Shadows, OneBoxShadesTheOtherAcrossAGap) {
       const double right = throughBox(point, d, {0.2, -1, -1}, {1.2, 1, 1}).length();
       // Where the ray meets the other box's boundary edge-on it may pass on either side.
       if (d.z == 0 && std::abs(point.z) == 1 && left > 0 && right > 0) continue;
-      EXPECT_NEAR(found[p], std::exp(-kKappa * (left + right)), kTurned) << point.x << ' ' << point.y << ' ' << point.z;
+      EXPECT_NEAR(found[p], std::exp(-kKappa * (left + right)), kShadowTurned) << point.x << ' ' << point.y << ' ' << point.z;
       shadedFromAfar += left > 0 && right > 0;
     }
   }
@@ -58,7 +58,7 @@ TEST(Shadows, PointLightsInsideAndOutside) {
             distance > 0
                 ? std::min(distance, throughBox(scene.mesh.points[p], way / distance, Vec3(-1), Vec3(1)).length())
                 : 0;
-        EXPECT_NEAR(found[p], std::exp(-kKappa * std::max(0.0, inside - from)), kTurned);
+        EXPECT_NEAR(found[p], std::exp(-kKappa * std::max(0.0, inside - from)), kShadowTurned);
       }
     }
 }

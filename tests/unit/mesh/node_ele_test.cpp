@@ -11,13 +11,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const char* const kNode = "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n";
-const char* const kEle = "1 4 0\n0 0 1 2 3\n";
+const char* const kNodesFromZero = "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n";
+const char* const kCellsFromZero = "1 4 0\n0 0 1 2 3\n";
 
 TEST(NodeEle, EitherFileNamesTheOther) {
   const test::TemporaryFolder folder;
-  folder.write("a.1.node", kNode);
-  folder.write("a.1.ele", kEle);
+  folder.write("a.1.node", kNodesFromZero);
+  folder.write("a.1.ele", kCellsFromZero);
   for (const char* name : {"a.1.node", "a.1.ele"}) {
     const TetMesh mesh = readMesh(folder / name);
     EXPECT_EQ(mesh.points.size(), 4u);
@@ -29,8 +29,8 @@ TEST(NodeEle, EitherFileNamesTheOther) {
 
 TEST(NodeEle, ExtensionsInCapitals) {
   const test::TemporaryFolder folder;
-  folder.write("A.NODE", kNode);
-  folder.write("A.ELE", kEle);
+  folder.write("A.NODE", kNodesFromZero);
+  folder.write("A.ELE", kCellsFromZero);
   EXPECT_EQ(readMesh(folder / "A.NODE").tetrahedra.size(), 1u);
   EXPECT_EQ(readMesh(folder / "A.ELE").tetrahedra.size(), 1u);
 }
@@ -58,7 +58,7 @@ TEST(NodeEle, NumbersFromOneCommentsBlankLinesAttributesMarkersRegions) {
 TEST(NodeEle, ColumnsBeyondTheHeaderAreNoted) {
   const test::TemporaryFolder folder;
   folder.write("c.node", "4\n0 0 0 0\n1 1 0 0 8\n2 0 1 0 9\n3 0 0 1\n");
-  folder.write("c.ele", kEle);
+  folder.write("c.ele", kCellsFromZero);
   EXPECT_THAT(readMesh(folder / "c.node").notes, ElementsAre(HasSubstr("2 lines of c.node hold beyond")));
 }
 

@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Two tetrahedra on five points, and a sixth point that no cell uses.
 TetMesh twoCells() {
@@ -92,11 +92,11 @@ TEST(SelectField, WhatIsNotThereIsNamedWithTheNearest) {
 
 TEST(SelectField, RangeIsOfFiniteValuesAndThereMustBeOne) {
   TetMesh mesh = twoCells();
-  mesh.pointFields[1].values = {kNan, 2, std::numeric_limits<double>::infinity(), 4, 3, 600};
+  mesh.pointFields[1].values = {kNoValue, 2, std::numeric_limits<double>::infinity(), 4, 3, 600};
   const ScalarField field = selectField(mesh, "density");
   EXPECT_EQ(field.minimum, 2);
   EXPECT_EQ(field.maximum, 4);
-  mesh.pointFields[1].values = {kNan, kNan, kNan, kNan, kNan, 600};  // finite only where no cell is
+  mesh.pointFields[1].values = {kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, 600};  // finite only where no cell is
   EXPECT_THAT(selectError(mesh, "density"), HasSubstr("'density' has no finite value"));
 }
 
@@ -132,7 +132,7 @@ TEST(FieldFromExpression, MistakesAreShownWithTheirPosition) {
 
 TEST(WithoutHoles, CellsAtAPointThatIsNotFiniteGo) {
   TetMesh mesh = twoCells();
-  mesh.pointFields[1].values[4] = kNan;
+  mesh.pointFields[1].values[4] = kNoValue;
   ScalarField field = selectField(mesh, "density");
   EXPECT_EQ(withoutHoles(mesh, field), 1u);
   EXPECT_THAT(mesh.tetrahedra, ElementsAre(Tetrahedron{0, 1, 2, 3}));
@@ -153,7 +153,7 @@ TEST(WithoutHoles, CellsWhoseOwnValueIsNotFiniteGo) {
 
 TEST(WithoutHoles, MeshOfHolesIsRefused) {
   TetMesh mesh = twoCells();
-  mesh.pointFields[1].values[2] = kNan;  // a point of both cells
+  mesh.pointFields[1].values[2] = kNoValue;  // a point of both cells
   ScalarField field = selectField(mesh, "density");
   EXPECT_THAT(test::inputError([&] { withoutHoles(mesh, field); }), HasSubstr("finite in no cell"));
 }

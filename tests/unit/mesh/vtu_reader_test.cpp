@@ -91,20 +91,20 @@ void expectSame(const TetMesh& a, const TetMesh& b) {
   expectSame(a.cellFields, b.cellFields);
 }
 
-struct Encoding {
+struct VtuEncoding {
   const char* name;
   int mode;
   bool base64;
   int compressor;
 };
 
-constexpr Encoding kEncodings[] = {
+constexpr VtuEncoding kEncodings[] = {
     {"ascii", Writer::Ascii, false, Writer::NONE},       {"inline", Writer::Binary, true, Writer::NONE},
     {"inline_zlib", Writer::Binary, true, Writer::ZLIB}, {"raw", Writer::Appended, false, Writer::NONE},
     {"raw_zlib", Writer::Appended, false, Writer::ZLIB}, {"raw_lz4", Writer::Appended, false, Writer::LZ4},
     {"base64", Writer::Appended, true, Writer::NONE},    {"base64_zlib", Writer::Appended, true, Writer::ZLIB}};
 
-std::function<void(Writer&)> settingsOf(const Encoding& encoding) {
+std::function<void(Writer&)> settingsOf(const VtuEncoding& encoding) {
   return [&encoding](Writer& writer) {
     writer.SetDataMode(encoding.mode);
     writer.SetEncodeAppendedData(encoding.base64);
@@ -112,7 +112,7 @@ std::function<void(Writer&)> settingsOf(const Encoding& encoding) {
   };
 }
 
-class PlainVtu : public testing::TestWithParam<Encoding> {};
+class PlainVtu : public testing::TestWithParam<VtuEncoding> {};
 
 TEST_P(PlainVtu, IsReadAsVtkReadsIt) {
   const Folder folder;
@@ -230,7 +230,7 @@ TEST(OtherVtu, IsLeftToVtk) {
 /// Its memory: a promise of two thousand million points is refused before it is taken.
 TEST(OtherVtu, PromisesTakeNoMemory) {
   const Folder folder;
-  for (const Encoding& encoding : kEncodings) {
+  for (const VtuEncoding& encoding : kEncodings) {
     write(tetrahedra(5, 3, VTK_FLOAT), folder / "mesh.vtu", settingsOf(encoding));
     for (const auto& [from, to] : {std::pair("NumberOfPoints=\"5\"", "NumberOfPoints=\"2000000000\""),
                                    std::pair("NumberOfCells=\"3\"", "NumberOfCells=\"4000000000\""),

@@ -18,12 +18,6 @@ RayColor constantColor(double length, double kappa = kKappa) {
   return {0.8 * alpha, 0.4 * alpha, 0.2 * alpha, alpha};
 }
 
-RayColor over(const RayColor& front, const RayColor& back) {
-  RayColor sum = front;
-  for (std::size_t c = 0; c < 4; ++c) sum[c] += (1 - front[3]) * back[c];
-  return sum;
-}
-
 /// Of a mesh of one value under constant extinction, whose rays have the given length.
 void expectLengths(const TetMesh& mesh, const std::function<double(const Ray&)>& length, std::size_t leastSeen) {
   const PreparedScene scene = sceneOf(mesh, constantField(mesh.points, 0.3), constantCurve(kKappa));

@@ -7,7 +7,7 @@ namespace havs::test {
 namespace {
 
 /// Roundings of the picture's coordinates in double, and of distances of order 1 (closed_form_test.cpp).
-constexpr double kBound = 1e-12;
+constexpr double kSurfaceBound = 1e-12;
 constexpr Color kOrange{1, 0.5, 0};
 constexpr Color kBlue{0.1, 0.2, 0.9};
 
@@ -31,12 +31,6 @@ struct LinearScene {
 
 RayColor of(const Color& color, double opacity) {
   return {opacity * color[0], opacity * color[1], opacity * color[2], opacity};
-}
-
-RayColor over(const RayColor& front, const RayColor& back) {
-  RayColor sum = front;
-  for (std::size_t c = 0; c < 4; ++c) sum[c] += (1 - front[3]) * back[c];
-  return sum;
 }
 
 RayColor slab(double kappa, double length) { return of({0.8, 0.4, 0.2}, -std::expm1(-kappa * length)); }
@@ -87,7 +81,7 @@ void expectPlanes(const std::vector<ShownIsosurface>& surfaces, double kappa) {
           if (onTheRim(scene, ray)) continue;
           const RayColor want = expected(scene, kappa, ray);
           const RayColor& got = pixels[static_cast<std::size_t>(y * view.width + x)];
-          for (std::size_t c = 0; c < 4; ++c) ASSERT_NEAR(got[c], want[c], kBound) << x << ',' << y;
+          for (std::size_t c = 0; c < 4; ++c) ASSERT_NEAR(got[c], want[c], kSurfaceBound) << x << ',' << y;
           compared += want[3] > 0 ? 1 : 0;
         }
     }

@@ -191,4 +191,10 @@ inline std::vector<View> obliqueViews(int size) {
           viewOf(true, {2.1, 1.7, 3.2}, {0.05, -0.02, 0.01}, 1.9, size, size)};
 }
 
+inline RayColor over(const RayColor& front, const RayColor& back) {
+  RayColor sum = front;
+  for (std::size_t c = 0; c < 4; ++c) sum[c] += (1 - front[3]) * back[c];
+  return sum;
+}
+
 }  // namespace havs::test
