@@ -24,6 +24,9 @@ namespace {
 constexpr double kRounding = 4 * 0x1p-24, kTogether = 1e-6 + kRounding;
 /// Places are relative to the first pixel of a block of 64 x 64 or nearer, and rounded to float some times.
 constexpr double kPlace = 64 * kRounding;
+/// Pixels: less than float tells, more than double's rounding in views of up to 1e6 pixels; and of it a part, as the
+/// fill rule shifts a ray first along x.
+constexpr double kHair = 1e-7, kAside = 1e-2;
 /// Of errors: what lies beyond is another kind of failure.
 constexpr double kFar = 1e-2;
 
@@ -79,12 +82,25 @@ std::vector<double> effectsAt(const HardPicture& picture, const std::vector<char
   const RayFunction function = mode(picture.scene.mode).reference;
   const bool cut = eyeIsNear(picture.view, kEyeCutInDouble);
   const double cutDepth = picture.view.depth(picture.view.eye) + planeDistance(picture.view, kEyeCutInDouble);
-  visitPixels(p, picture.view, hard, [&](std::size_t pixel, double scale, std::span<const CellSegment> segments) {
+  const auto effectOf = [&](double scale, std::span<const CellSegment> segments) {
     const FragmentErrors errors{kRounding, scale * (cut ? kEyeCutInDouble.distance + kRounding : kRounding),
                                 scale * kTogether};
-    effects[pixel] = floatEffect(scene, function, segments, p.field.centering == Centering::cell, errors);
+    return floatEffect(scene, function, segments, p.field.centering == Centering::cell, errors);
+  };
+  visitPixels(p, picture.view, hard, [&](std::size_t pixel, double scale, std::span<const CellSegment> segments) {
+    effects[pixel] = effectOf(scale, segments);
     if (cut) effects[pixel] += cutEffect(scene, function, segments, scale * cutDepth);
   });
+  // A ray through an edge or a corner meets cells there on no length, which are not in its segments. Devices draw their
+  // faces, and float does not tell the order of these. A hair beside the ray some of them have a length.
+  std::vector<double> touching(hard.size());
+  for (const double x : {-1.0, -kAside, kAside, 1.0})
+    for (const double y : {-1.0, -kAside, kAside, 1.0})
+      visitPixels(p, shifted(picture.view, kHair * x, kHair * y), hard,
+                  [&](std::size_t pixel, double scale, std::span<const CellSegment> segments) {
+                    touching[pixel] = std::max(touching[pixel], effectOf(scale, segments));
+                  });
+  for (std::size_t i = 0; i < effects.size(); ++i) effects[i] = std::max(effects[i], touching[i]);
   for (const auto& [x, y] : std::array<std::array<double, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
     const View view = shifted(picture.view, kPlace * x, kPlace * y);
     visitPixels(p, view, hard, [&](std::size_t pixel, double, std::span<const CellSegment> segments) {

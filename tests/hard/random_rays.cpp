@@ -49,15 +49,17 @@ class Moves {
   Moves(const RayScene& scene, RayFunction function, Fragments fragments, bool cellData)
       : scene_(scene), function_(function), fragments_(std::move(fragments)), cellData_(cellData) {
     color_ = colorOf(fragments_);
+    for (const auto& interval : scene.curve.opaque) surfaces_.insert(surfaces_.end(), interval.begin(), interval.end());
+    for (const ShownIsosurface& surface : scene.isosurfaces) surfaces_.push_back(surface.scalar);
   }
 
   double ofNumbers(std::size_t i, const FragmentErrors& errors) const {
-    double scalars = 0, distances = 0;
+    const double scalar = fragments_[i].scalar, least = scalar - errors.scalar, most = scalar + errors.scalar;
+    double scalars = std::max(withScalar(i, least), withScalar(i, most)), distances = 0;
+    for (const double surface : surfaces_)  // in a cell of one value it is met at this value alone
+      if (least < surface && surface < most) scalars = std::max(scalars, withScalar(i, surface));
     for (const double sign : {-1.0, 1.0}) {
       Fragments moved = fragments_;
-      moved[i].scalar = std::clamp(moved[i].scalar + sign * errors.scalar, 0.0, 1.0);
-      scalars = std::max(scalars, difference(colorOf(moved), color_));
-      moved = fragments_;
       moved[i].distance += sign * errors.distance;
       distances = std::max(distances, difference(colorOf(moved), color_));
     }
@@ -92,6 +94,11 @@ class Moves {
   const Fragments& fragments() const { return fragments_; }
 
  private:
+  double withScalar(std::size_t i, double scalar) const {
+    Fragments moved = fragments_;
+    moved[i].scalar = std::clamp(scalar, 0.0, 1.0);
+    return difference(colorOf(moved), color_);
+  }
   RayColor colorOf(const Fragments& fragments) const { return function_(scene_, segmentsOf(fragments, cellData_)); }
   /// With the scalar of `from` moved to the place `to`; where the ray is inside stays.
   Fragments moved(std::size_t from, std::size_t to) const {
@@ -108,6 +115,7 @@ class Moves {
   Fragments fragments_;
   bool cellData_;
   RayColor color_{};
+  std::vector<double> surfaces_;
 };
 
 }  // namespace
