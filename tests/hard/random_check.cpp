@@ -124,7 +124,7 @@ void addChanged(const HardPicture& picture, const View& view, const RayScene& sc
   });
 }
 
-/// Adds to `mask` the pixels where OpenGL may have met other isosurfaces than the truth, which PixelTracer does not
+/// Adds to `mask` the pixels where OpenGL may have met other surfaces than the truth, which PixelTracer does not
 /// look for: float does not tell on which side of a surface a scalar lies that is nearer to it, nor which of two faces
 /// is first, and the rasteriser's grid moves places by up to 1/256 pixel.
 void addBesideSurfaces(const HardPicture& picture, std::vector<unsigned char>& mask) {
@@ -262,7 +262,7 @@ std::string CaseChecker::judgeOpenGl(const HardPicture& picture, const HardWay& 
   }
   std::string first;
   std::size_t without = untraced(picture, drawing, mask, HardBounds{}.traced, first, mask.size());
-  if (without > 0 && !picture.prepared.isosurfaces.empty()) {
+  if (without > 0 && !(picture.prepared.isosurfaces.empty() && picture.prepared.curve.opaque.empty())) {
     addBesideSurfaces(picture, mask);
     without = untraced(picture, drawing, mask, HardBounds{}.traced, first, mask.size());
   }
