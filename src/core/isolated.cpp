@@ -11,10 +11,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <new>
+#include <string>
+#include <thread>
 #include <utility>
 
 #include "core/error.h"
@@ -116,6 +122,30 @@ std::string readStart(int file) {
   return text;
 }
 
+#ifdef HAVS_SANITIZED
+bool othersSleep() {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    if (task.path().filename() == std::to_string(gettid())) continue;
+    std::ifstream file(task.path() / "stat");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (text.find(") R ") != std::string::npos) return false;
+  }
+  return true;
+}
+#endif
+
+/// The sanitizers' own allocator, that of g++ 12 at least, is forked with its locks as they are: held for ever in the
+/// child, where another thread was asking for memory. glibc's is not.
+void waitForOtherThreads() {
+#ifdef HAVS_SANITIZED
+  constexpr int kQuiet = 3, kMost = 1000;  // in a row; milliseconds
+  for (int quiet = 0, tried = 0; quiet < kQuiet && tried < kMost; ++tried) {
+    quiet = othersSleep() ? quiet + 1 : 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+#endif
+}
+
 }  // namespace
 
 IsolatedRun runIsolated(const std::function<void(ByteWriter&)>& work) {
@@ -123,6 +153,7 @@ IsolatedRun runIsolated(const std::function<void(ByteWriter&)>& work) {
   ByteReader reply(memoryFile("havs-reply"));
   const ByteReader printed(memoryFile("havs-printed"));
   std::fflush(nullptr);  // or the child would print it again
+  waitForOtherThreads();
   const pid_t parent = getpid(), child = fork();
   if (child < 0) failRunning(std::string("no process can be started: ") + std::strerror(errno));
   if (child == 0) runChild(work, reply.file(), printed.file(), verdict, parent);
