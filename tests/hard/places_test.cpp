@@ -129,6 +129,7 @@ TEST_F(Places, HomeAndTemporaryFolder) {
   fs::create_directory(locked);
   fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
   int wrong = 0;
+  doNotLookForLeaks();
   for (const std::string device : {"native", "osmesa", "egl"}) {
     std::vector<std::string> arguments{"render", "cube.node", "--size", "32x32", "--table", "16", "--device", device};
     const std::string whole = undisturbed(arguments);
@@ -141,7 +142,6 @@ TEST_F(Places, HomeAndTemporaryFolder) {
           else
             setenv(name, place.c_str(), 1);
         }
-        doNotLookForLeaks();
         obeyRights();
       });
       EXPECT_EQ(outcome.status, 0) << device << " " << place << ": " << outcome.error;
