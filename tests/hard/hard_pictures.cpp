@@ -85,7 +85,6 @@ std::size_t untraced(const HardPicture& picture, const havs::Drawing& drawing, c
     const PixelTrace trace =
         tracer->trace(static_cast<int>(i % width), static_cast<int>(i / width), drawing.image, picture.truth, 0);
     if (trace.cause == Cause::grid || trace.cause == Cause::rounding) continue;
-    if (trace.unexplained <= limit) continue;  // the grid is the cause but for as much as passes untraced elsewhere
     if (without++ == 0) first = summary(trace) + listOf(trace.exact) + " the rasteriser:\n" + listOf(trace.snapped);
   }
   return without;

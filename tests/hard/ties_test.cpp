@@ -117,6 +117,20 @@ TEST_F(Ties, AnExitThatComesTooLateIsCounted) {
   EXPECT_TRUE(behind.visible);
 }
 
+TEST_F(Ties, AThinLayersExitBeforeItsEntryAtEveryK) {
+  tell(
+      {kGroup,
+       "at a silhouette rounding puts the exit before its entry: an opaque layer was not met, and with k = 1 still not "
+       "when it was mended for other k",
+       "outside of all parts the entry goes first; a single entry of the k-buffer changes places with what leaves"});
+  const double thin = 0x1p-21;
+  const std::vector<Given> turned{{0, 0.75, -1}, {thin, 0.25, 1}};
+  const std::vector<std::array<double, 3>> layer{{0.25, 0.75, thin}};
+  expectAtMost("k = 1", difference(segmentsOf<FloatLane, 1>(turned, 0), layer), 0);
+  expectAtMost("k = 2", worstOfAllOrders<FloatLane, 2>(turned, layer, 0), 0);
+  expectAtMost("k = 6", worstOfAllOrders<FloatLane, 6>(turned, layer, 0), 0);
+}
+
 TEST_F(Ties, ThinLayersStayLayers) {
   tell({kGroup, "a layer thinner than the distance that counts as one place must not be taken for a touch",
         "only within a part does an exit change places with an entry"});

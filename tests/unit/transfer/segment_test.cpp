@@ -9,11 +9,10 @@
 #include "transfer/pieces.h"
 #include "transfer/preintegration.h"
 #include "unit/gauss_kronrod.h"
+#include "unit/transfer/preset_curve.h"
 
 namespace havs {
 namespace {
-
-ExtinctionCurve curveNamed(const std::string& name) { return makeCurve(loadTransferFunction(name), {}); }
 
 /// The curve of knots with the given extinctions, linear, evenly spaced, white.
 ExtinctionCurve curveOf(const std::vector<double>& kappas) {
@@ -142,7 +141,7 @@ TEST(Segment, PresetsAgainstTheDefinition) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const TransferPreset& preset : transferPresets()) {
-    const ExtinctionCurve curve = curveNamed(preset.name);
+    const ExtinctionCurve curve = presetCurve(preset.name);
     double worst = 0;
     for (int i = 0; i < 12; ++i) {
       const double from = unit(random), to = unit(random), length = 0.5 * unit(random);
@@ -171,7 +170,7 @@ TEST(Segment, StepsInTheMiddleAndAtTheEnds) {
 }
 
 TEST(Segment, NearlyEqualScalarsGoOverIntoEqualOnes) {
-  const ExtinctionCurve curve = curveNamed("viridis");
+  const ExtinctionCurve curve = presetCurve("viridis");
   const SegmentColor equal = integrateSegment(curve, 0.4, 0.4, 0.2);
   for (double step : {1e-8, 1e-12, 5e-17 * 2, 1e-300}) {
     EXPECT_LE(distance(integrateSegment(curve, 0.4, 0.4 + step, 0.2), equal), 10 * step + 1e-14);
@@ -184,7 +183,7 @@ TEST(Segment, IsTheCompositeOfItsHalvesAndItsAlphaIsSymmetric) {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const TransferPreset& preset : transferPresets()) {
-    const ExtinctionCurve curve = curveNamed(preset.name);
+    const ExtinctionCurve curve = presetCurve(preset.name);
     for (int i = 0; i < 100; ++i) {
       const double from = unit(random), to = unit(random), length = unit(random), share = unit(random);
       const double middle = std::lerp(from, to, share);
@@ -210,13 +209,13 @@ TEST(Segment, TheExercisesRiemannSumComesNear) {
     riemann = over(riemann, sample);
   }
   const double unitLength = 0.1;  // default: diagonal 2 / 20
-  const SegmentColor exact = integrateSegment(curveNamed("plateau-opaque"), kFront / 255.0, kBack / 255.0, unitLength);
+  const SegmentColor exact = integrateSegment(presetCurve("plateau-opaque"), kFront / 255.0, kBack / 255.0, unitLength);
   const double leftRule =
       std::log(4.0) / (2 * kSteps);  // half the rise of the extinction, ln 4 at opacity 3/4, over the steps
   EXPECT_NEAR(riemann.alpha, exact.alpha, 1.1 * leftRule);
   EXPECT_LT(riemann.alpha, exact.alpha);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(riemann.color[c], exact.color[c], 1.1 * leftRule);
-  EXPECT_NEAR(integrateSegment(curveNamed("plateau-opaque"), 0.6, 0.6, unitLength).alpha, 1,
+  EXPECT_NEAR(integrateSegment(presetCurve("plateau-opaque"), 0.6, 0.6, unitLength).alpha, 1,
               0x1p-23);  // the plateau, capped
 }
 

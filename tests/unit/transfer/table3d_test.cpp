@@ -6,11 +6,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "transfer/preintegration.h"
+#include "unit/transfer/preset_curve.h"
 
 namespace havs {
 namespace {
-
-ExtinctionCurve curveOfPreset(const std::string& name) { return makeCurve(loadTransferFunction(name), {}); }
 
 const float* entry(const Table3d& t, int f, int b, int l) {
   return &t.rgba[((static_cast<std::size_t>(l) * t.size + b) * t.size + f) * 4];
@@ -31,7 +30,7 @@ TEST(Table3d, EveryEntryIsTheSegmentRoundedOnce) {
   constexpr int kSize = 20;
   constexpr double kLength = 0.8;
   for (const TransferPreset& preset : transferPresets()) {
-    const ExtinctionCurve curve = curveOfPreset(preset.name);
+    const ExtinctionCurve curve = presetCurve(preset.name);
     const Table3d table = buildTable3d(curve, kSize, kLength);
     for (int l = 0; l < kSize; ++l) {
       for (int b = 0; b < kSize; ++b) {
@@ -52,7 +51,7 @@ TEST(Table3d, EveryEntryIsTheSegmentRoundedOnce) {
 }
 
 TEST(Table3d, DoesNotDependOnTheThreads) {
-  const ExtinctionCurve curve = curveOfPreset("shells");
+  const ExtinctionCurve curve = presetCurve("shells");
   const Table3d parallel = buildTable3d(curve, 24, 0.5);
   const ThreadLimit one(1);
   EXPECT_EQ(parallel.rgba, buildTable3d(curve, 24, 0.5).rgba);
@@ -125,7 +124,7 @@ TEST(Table3d, TrilinearInterpolationConvergesWithOrderTwo) {
 }
 
 TEST(Table3d, RefusesBadSizes) {
-  const ExtinctionCurve curve = curveOfPreset("rainbow");
+  const ExtinctionCurve curve = presetCurve("rainbow");
   for (int size : {-1, 0, 1, 513, 1 << 30}) EXPECT_THROW(buildTable3d(curve, size, 1), Error);
   EXPECT_THROW(buildTable3d(curve, 8, 0), Error);
   EXPECT_THROW(buildTable3d(curve, 8, std::nan("")), Error);
@@ -134,7 +133,7 @@ TEST(Table3d, RefusesBadSizes) {
 
 TEST(Table3d, ProgressReachesTheEnd) {
   std::vector<double> told;
-  buildTable3d(curveOfPreset("rainbow"), 8, 1, [&](std::string_view, double fraction) { told.push_back(fraction); });
+  buildTable3d(presetCurve("rainbow"), 8, 1, [&](std::string_view, double fraction) { told.push_back(fraction); });
   ASSERT_EQ(told.size(), 8u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.back(), 1);
